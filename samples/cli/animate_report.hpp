@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What sinew animate is asked for, and how it tells what it did.
+// Options of sinew animate, and its report.
 #ifndef SINEW_CLI_ANIMATE_REPORT_HPP
 #define SINEW_CLI_ANIMATE_REPORT_HPP
 

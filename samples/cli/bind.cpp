@@ -27,7 +27,7 @@ struct BindCommandSettings {
   bool json = false;
 };
 
-// What changes the mesh needs a file that has one.
+// Options that change the mesh need a file with one.
 void check_mesh_changes(const BindSettings& one) {
   if (one.cut && one.symmetric)
     throw UsageError("--symmetric keeps both sides equal to the last bit and looks for no seams: leave out --cut");
@@ -133,7 +133,7 @@ void run_bind(BindCommandSettings s) {
   for (const std::string& line : summary_lines(summary)) std::fprintf(out, "%s\n", line.c_str());
 }
 
-// What most binds need.
+// Options that most binds need.
 void add_bind_inputs(CLI::App* sub, BindCommandSettings* s) {
   sub->add_option("mesh", s->one.mesh,
                   "Mesh, or a folder with all its subfolders. " + mesh_files() + ", or - for an OBJ on standard input")

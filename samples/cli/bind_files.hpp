@@ -15,7 +15,7 @@
 
 namespace sinew::cli {
 
-// What to do with one file. Empty paths: none.
+// Job of one file. Empty paths: none.
 struct BindSettings {
   std::string mesh, skeleton;
   std::string output;                      // see write_character()
@@ -40,7 +40,7 @@ struct BindSettings {
   bool compare = false;              // with the weights that the file, or the skeleton's file, has
 };
 
-// What a bind leaves beside the file it wrote.
+// Files that a bind leaves beside its output.
 struct BoundFile {
   Character character;  // with the new weights
   BindSummary summary;

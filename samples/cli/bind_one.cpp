@@ -140,7 +140,7 @@ BindSummary summarize(const BindSettings& settings, const Binder& binder, const 
   return summary;
 }
 
-// What the file says before it is rebound.
+// The file's weights before it is rebound.
 struct WeightsBefore {
   std::vector<std::vector<Influence>> rows;
   std::vector<uint8_t> kept;  // [V] locked, or of an attached mesh; or empty

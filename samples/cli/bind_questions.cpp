@@ -27,7 +27,7 @@ void draw_question(const Character& character, const CharacterBind& bound, size_
   write_file(path, encode_png(beside({render(character, colors, front), render(character, colors, back)})));
 }
 
-// What was typed as an answer; false where it is none, with the reason on `out`.
+// Parses a typed answer; false if it is invalid, with the reason on `out`.
 bool read_answer(const Character& character, const PartQuestion& part, const std::string& typed, std::ostream& out,
                  sinew_answer* answer) {
   std::string said = typed.empty() ? "proposed" : typed;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a bind tells about one file: the numbers, the weights that it replaced and the parts that an artist should decide
-// about, as lines for people and as JSON.
+// The report of a bind about one file: the numbers, the weights that it replaced and the parts that an artist should
+// decide about, as lines for people and as JSON.
 #ifndef SINEW_CLI_BIND_SUMMARY_HPP
 #define SINEW_CLI_BIND_SUMMARY_HPP
 
@@ -100,7 +100,8 @@ struct BindSummary {
 };
 
 //   confidence  [V] 0..255; weights are character.influences
-// Of equally sure vertices those with the smaller largest weight come first. Empty where even the tenth is 98 % sure.
+// Among equally sure vertices those with the smaller largest weight come first. Empty where even the tenth is 98 %
+// sure.
 Doubts find_doubts(const Character& character, const std::vector<uint8_t>& confidence);
 // "look first at 120 vertices (the least sure tenth; 31 % sure on average), mostly on hand.L"; empty without doubts.
 std::string doubts_text(const Doubts& doubts);

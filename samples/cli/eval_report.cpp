@@ -83,7 +83,7 @@ void add_rows(const WeightsEvaluation& s, const WeightsFigures& figures, ReportD
   }
 }
 
-// Of the drawn character whose joints' names tell most bends, of these the finest mesh, with the weights that it got.
+// The drawn character with most bends by joint names, among these the finest mesh, with its predicted weights.
 void draw_bends(const WeightsFigures& figures, ReportData* data) {
   const Scores& scores = figures.scores[figures.main];
   std::optional<ReportPicture> best;
@@ -101,7 +101,7 @@ void draw_bends(const WeightsFigures& figures, ReportData* data) {
   if (best && !best->panels.empty()) data->pictures.push_back(std::move(*best));
 }
 
-// Of the character with most bends under cloth, of these the one whose cloth lies cleanest on the skin.
+// The character with most bends under cloth, among these the one whose cloth lies cleanest on the skin.
 void draw_cloth(const WeightsEvaluation& s, const WeightsFigures& figures, ReportData* data) {
   const std::string* best = nullptr;
   for (const auto& [name, clothing] : figures.dressed) {

@@ -66,7 +66,7 @@ double measure_owned(const Character& character, const TargetSkeleton& target, c
   return owned_surface(measured, character, target);
 }
 
-// What predicts; one of them.
+// The predictor; one of them.
 struct Predictor {
   uint32_t method = SINEW_RIG_VOTES;
   std::unique_ptr<LoadedModel> model, front;

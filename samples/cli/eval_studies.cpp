@@ -129,7 +129,7 @@ void study_confidence(const ConfidenceStudy& study) {
 
 namespace {
 
-// Of one character.
+// Results of one character.
 struct CheckFigures {
   std::map<std::string, std::array<size_t, 3>> damages;  // by kind: seeded, found, found as an error or a warning
   std::map<std::string, size_t> alarms;                  // rules with findings on the untouched rig

@@ -20,7 +20,7 @@
 
 namespace sinew::cli {
 
-// What to measure and where it goes. Empty paths: none.
+// Measurements and their output files. Empty paths: none.
 struct WeightsEvaluation {
   std::string folder, model, checkpoint, method, joints;
   std::string calibrate;           // characters for the integers of a checkpoint; empty: those of `folder`
@@ -43,7 +43,7 @@ struct Prediction {
   std::vector<uint8_t> confidence;  // [V]; empty when the binder tells none
 };
 
-// One way of binding. `sample` is null unless some variant asks for it.
+// One variant of binding. `sample` is null unless some variant asks for it.
 struct Variant {
   std::string label;
   int bits = 0;
@@ -59,10 +59,10 @@ struct Variant {
 
 constexpr const char* kNearest = "nearest bone";
 
-// What is evaluated, then what stands beside it. `evaluation` must outlive them.
+// The evaluated character, then the data beside it. `evaluation` must outlive them.
 std::vector<Variant> make_variants(const WeightsEvaluation& evaluation);
 
-// What binding a folder gave.
+// Results of binding a folder.
 struct WeightsFigures {
   std::vector<Variant> variants;
   size_t main = 0;  // the variant that the page shows

@@ -103,7 +103,7 @@ std::string option_row(const CLI::Option& option, bool full) {
   return row(name, text);
 }
 
-// What has no name first, then heading by heading.
+// Options without a heading first, then heading by heading.
 std::vector<const CLI::Option*> in_groups(const CLI::App& app) {
   std::vector<const CLI::Option*> options = app.get_options([](const CLI::Option* o) { return has_no_name(*o); });
   for (const std::string& group : app.get_groups())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the files of `sinew inspect` share: one kind of content each, as text on standard output or as JSON.
+// Common declarations of `sinew inspect`: one kind of content each, as text on standard output or as JSON.
 #ifndef SINEW_CLI_INSPECT_PARTS_HPP
 #define SINEW_CLI_INSPECT_PARTS_HPP
 

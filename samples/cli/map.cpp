@@ -156,7 +156,7 @@ void tell(const MapCommandSettings& s, const MapRig& target, const MapRig& sourc
   if (s.output != "-") std::fprintf(out, "wrote %s\n", printable(s.output).c_str());
 }
 
-// What the command line leaves open follows from what it says.
+// Options that are not given follow from those that are.
 MapCommandSettings settled(MapCommandSettings s) {
   if (s.source.empty() == s.preset.empty())
     throw UsageError("give the other skeleton with --from FILE, or the joint names of a standard rig with --to NAME");

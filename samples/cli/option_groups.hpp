@@ -70,7 +70,7 @@ void add_picture_class(CLI::App* sub, PictureOptions* options);
 // Throws UsageError for options of pictures where `path` is none. Called before any work.
 void check_picture_options(const CLI::App& sub, const std::string& path);
 PictureJobOptions picture_job(const PictureOptions& options);
-// What was asked for beside the character.
+// Writes the requested outputs beside the character.
 void write_mask(const PictureOptions& options, const PictureCharacter& found);
 nlohmann::ordered_json picture_json(const PictureCharacter& found);
 
@@ -82,7 +82,7 @@ inline bool wants_sprites(const SpriteSettings& settings) { return settings.coun
 void add_sprite_options(CLI::App* sub, SpriteSettings* settings);
 // Throws UsageError for them where `path` is no picture. Called before any work.
 void check_sprite_options(const SpriteSettings& settings, const std::string& path);
-// What was asked for, to be written beside `output`: NAME.sprites.png with NAME.sprites.json, the loop.
+// Requested files, to be written beside `output`: NAME.sprites.png with NAME.sprites.json, the loop.
 std::vector<NamedBytes> sprite_files(const SpriteSettings& settings, const std::string& output,
                                      const PictureFile& picture, const Character& character, const Motion& motion,
                                      CharacterDeformer* deformer);

@@ -33,7 +33,7 @@ struct OptionWord {
   const char* value;    // what stands behind it; "" for a flag
   const char* meaning;  // one sentence, without its full stop
 };
-// Of the names that several commands have. std::logic_error for another one.
+// Description of an option that several commands have. std::logic_error for another name.
 const OptionWord& option_word(const std::string& names);
 
 // Help texts: the first sentence is what --help shows; what follows ". " is for --help-all.
@@ -65,7 +65,7 @@ CLI::Option* shared_word_option(CLI::App* sub, const std::string& names, Number&
 }
 CLI::Option* shared_flag(CLI::App* sub, const std::string& name, bool& value, const std::string& more = "");
 
-// Of a checked --up: "x", "y", "z"; "auto" is none; of "-y" y.
+// The axis of a checked --up: "x", "y", "z"; "auto" is none; y for "-y".
 inline MaybeAxis maybe_axis(const std::string& word) {
   return word == "auto" ? std::nullopt : MaybeAxis(static_cast<Axis>(word.back() - 'x'));
 }

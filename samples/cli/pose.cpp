@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew pose: turns joints of a bound character and writes the deformed mesh or a picture of it.
+// sinew pose: rotates joints of a bound character and writes the deformed mesh or a picture of it.
 #include "sinew_character/pose/pose.hpp"
 
 #include <CLI/CLI.hpp>
@@ -75,7 +75,7 @@ Character deformed(const PoseCommandSettings& s, const Character& character, con
   return std::move(posed.character);
 }
 
-// By turns of joints.
+// By joint rotations.
 std::vector<Affine> turned_palette(const PoseCommandSettings& s, const Character& character, size_t* count) {
   std::vector<JointRotation> rotations;
   if (s.random) {

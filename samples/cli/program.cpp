@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads the command line, runs one of the subcommands, turns every failure into one line and an exit status.
+// Reads the command line, runs one of the subcommands, reports every failure as one line and an exit status.
 #include <CLI/CLI.hpp>
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -55,7 +55,7 @@ std::string plain_bound(std::string error) {
   return error.replace(at, (end == std::string::npos ? error.size() : end) - at, ", expected a number above 0");
 }
 
-// What is wrong with a command line, and what to do about it.
+// The error of a command line, and its remedy.
 std::string complaint(const CLI::App& app, const std::vector<std::string>& words, const std::string& error) {
   return unknown_command(app, words).value_or(plain_bound(error)) + see_help(app);
 }

@@ -35,7 +35,7 @@ constexpr size_t kCompared = 16;  // characters beside float; more say the same
 
 struct QuantizeCommandSettings {
   std::string checkpoint, folder, compared, output, release, confidence;
-  // What the integers are measured on beside float, and a remark where ranges are of the same characters.
+  // Characters on which integers are compared with float, and a remark if the ranges are of the same characters.
   const std::string& measured_on() const { return compared.empty() ? folder : compared; }
   const char* remark() const {
     return compared.empty() ? ", including the calibrated ones (--held-out DIR: others)" : "";
@@ -66,7 +66,7 @@ std::vector<Sample> load_samples_of(const std::string& folder, unsigned characte
                              });
 }
 
-// What integers change beside the float network.
+// Differences of the integers from the float network.
 struct Loss {
   size_t characters = 0;
   WeightDifference all;

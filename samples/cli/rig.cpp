@@ -290,7 +290,7 @@ void run_rig(RigCommandSettings s) {
   if (!rigged.gate.empty()) throw GateError(s.mesh + ": fails the gate: " + rigged.gate.front() + "; check the output");
 }
 
-// What most meshes need.
+// Options that most meshes need.
 void add_rig_inputs(CLI::App* sub, RigCommandSettings* s) {
   sub->add_option("mesh", s->mesh,
                   "Mesh, picture of a character (" + picture_files() +

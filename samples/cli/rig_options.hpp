@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What sinew rig lets a user say about the method and the skeleton: its edits, and one of their own.
+// Options of sinew rig for the method and the skeleton: edits, and a skeleton from a file.
 #ifndef SINEW_CLI_RIG_OPTIONS_HPP
 #define SINEW_CLI_RIG_OPTIONS_HPP
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the subcommands share: usage errors, files of folders, outputs that are checked before work starts, models, lists of names,
-// signals.
+// Common parts of the subcommands: usage errors, files of folders, outputs that are checked before work starts,
+// models, lists of names, signals.
 #ifndef SINEW_CLI_SUPPORT_HPP
 #define SINEW_CLI_SUPPORT_HPP
 

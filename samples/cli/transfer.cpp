@@ -195,7 +195,7 @@ void write_one(const TransferCommandSettings& s, const std::string& output, Tran
   write_file(s.png_confidence, encode_png(render(character, heat_colors(doubt, 0.5f), view)));
 }
 
-// What goes where: one file for one target, a folder for several.
+// Output paths: one file for one target, a folder for several.
 std::vector<std::string> outputs_of(const TransferCommandSettings& s) {
   if (s.targets.size() == 1) {
     const std::string output =

@@ -672,7 +672,8 @@ TEST_F(CharacterC, WhatIsWrongIsSaidInOneLineAndChangesNothing) {
   good_call(sinew_character_bind(snake.get(), &newer.known, nullptr), snake);
   const std::string bound = written(snake, "snake.glb");
   newer.later = 1;
-  refused(SINEW_ERROR_VERSION, sinew_character_bind(snake.get(), &newer.known, nullptr), snake.get(), "older");
+  refused(SINEW_ERROR_VERSION, sinew_character_bind(snake.get(), &newer.known, nullptr), snake.get(),
+          "update the library");
   options = SINEW_INIT(sinew_character_bind_options);
   options.influence_count = 13;
   refused(SINEW_ERROR_ARGUMENT, sinew_character_bind(snake.get(), &options, nullptr), snake.get(), "influence_count");

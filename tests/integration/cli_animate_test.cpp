@@ -51,7 +51,7 @@ TEST_F(CliAnimate, TheSameRigPlaysAsItWasRecorded) {
   const Motion clip = make_clip("swing");
   good("bind " + kData + "/biped__robed.obj --skeleton " + kData + "/biped__robed.rig.txt --joints all -o hero.glb");
   const Outcome told = good("animate hero.glb --motion swing.bvh -o moved.glb --sheet sheet.png");
-  EXPECT_NE(told.out.find("swing.bvh, swing: 10 frames, 20 a second"), std::string::npos) << told.out;
+  EXPECT_NE(told.out.find("swing.bvh, swing: 10 frames, 20 per second"), std::string::npos) << told.out;
   EXPECT_GT(fs::file_size(in("sheet.png")), 2000u);
   const Motion moved = read_gltf_motion(in("moved.glb"), 20);
   ASSERT_EQ(moved.clips.size(), 1u);
@@ -163,7 +163,7 @@ TEST_F(CliAnimate, AMapSaysWhichJointMovesAsWhich) {
   const std::string a = target.joints[0].name, b = source.joints[0].name;
   put(in("map.txt"), "# by hand\n" + a + " " + b + "\n" + target.joints[1].name + " -\n");
   const Outcome told = good("animate " + robot + " --motion swing.bvh --map map.txt -o moved.glb");
-  EXPECT_NE(told.out.find("1 of " + std::to_string(target.joints.size()) + " joints move by map.txt"),
+  EXPECT_NE(told.out.find("1 of " + std::to_string(target.joints.size()) + " joints mapped by map.txt"),
             std::string::npos)
       << told.out;
   const auto expect = [&](const std::string& map, const char* wanted) {
@@ -313,7 +313,7 @@ TEST_F(CliAnimate, MotionsOfFbxAndColladaMove) {
   // Its own rig: every joint moves, whatever its positions would say.
   good("bind move.fbx -o strip.glb");
   const Outcome own = good("animate strip.glb --motion move.fbx --method copy -o moved.glb");
-  EXPECT_NE(own.out.find("3 of 3 joints move"), std::string::npos) << own.out;
+  EXPECT_NE(own.out.find("3 of 3 joints mapped"), std::string::npos) << own.out;
   EXPECT_GT(read_gltf_motion(in("moved.glb"), 10).clips.at(0).frames.size(), 5u);
 }
 

@@ -52,7 +52,8 @@ class CliJoints : public Cli {
 
 TEST_F(CliJoints, OwnJointsAndAttachedMeshesByDefault) {
   const std::string text = good("bind hero.glb -o out.glb --method heat").out;
-  EXPECT_TRUE(has_text(text, "1 joints get no weight (no weight in the file: kneeIK); --joints all gives it to all"))
+  EXPECT_TRUE(
+      has_text(text, "1 joints get no weight (no weight in the file: kneeIK); --joints all lets all have weight"))
       << text;
   EXPECT_TRUE(has_text(text, "1 attached meshes kept as they are; --bind-props binds them")) << text;
   EXPECT_EQ(weight_of("out.glb", "kneeIK"), 0);
@@ -93,7 +94,7 @@ TEST_F(CliJoints, ASkeletonInOtherUnitsIsToldAndMended) {
   write_rig(in("big.rig.txt"), big);
   const std::string warned = good("bind " + kSnake + " --skeleton big.rig.txt -o out.glb --method heat").out;
   EXPECT_TRUE(has_text(warned, "warning: the skeleton is 100 times as large as the mesh")) << warned;
-  EXPECT_TRUE(has_text(warned, "--fit mends that"));
+  EXPECT_TRUE(has_text(warned, "correct it with --fit"));
   const std::string mended = good("bind " + kSnake + " --skeleton big.rig.txt -o out.glb --method heat --fit").out;
   EXPECT_TRUE(has_text(mended, "corrected by --fit")) << mended;
   EXPECT_FALSE(

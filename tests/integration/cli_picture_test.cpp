@@ -83,7 +83,7 @@ TEST_F(CliPicture, PhotographsAreRead) {
 // Outline, triangulation, regions, branches, motion: no model is asked for the skeleton, and names say nothing.
 TEST_F(CliPicture, TheDrawnRouteIsOneCommand) {
   const Outcome told = good("animate " + kCat + " --as-drawn -o cat.glb");
-  EXPECT_NE(told.out.find("joints move by branches"), std::string::npos) << told.out;
+  EXPECT_NE(told.out.find("joints mapped by branches"), std::string::npos) << told.out;
   const Character cat = read_character(in("cat.glb"));
   for (const Joint& joint : cat.joints) EXPECT_EQ(joint.name.find("Left"), std::string::npos) << joint.name;
   ASSERT_EQ(cat.joints.size(), read_motion(in("cat.glb")).joints.size());

@@ -133,13 +133,13 @@ TEST_F(Cli, StyleFilesThatMakeNoSenseAreRefused) {
     put(folder_ / "bad.style", text);
     const Outcome outcome = run("bind " + kRobot + " -o out.glb --style bad.style");
     EXPECT_EQ(outcome.status, 1) << text;
-    EXPECT_NE(outcome.error.find("bad.style: expected a style file"), std::string::npos) << outcome.error;
+    EXPECT_NE(outcome.error.find("bad.style: "), std::string::npos) << outcome.error;
     EXPECT_NE(outcome.error.find(says), std::string::npos) << outcome.error;
     EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;
   };
-  refused("", "expected JSON");
+  refused("", "expected a style file");
   refused("{}", "sinew_style");
-  refused("[1]", "expected JSON");
+  refused("[1]", "expected a style file");
   refused(R"({"sinew_style": 2, "characters": []})", "version 2");
   const auto rule = [](const std::string& text) {
     return R"({"sinew_style": 1, "characters": [{"joints": [], "rules": [)" + text + "]}]}";

@@ -316,7 +316,7 @@ TEST_F(CliRig, TrainingGoesOnFromTheReleasedModel) {
             std::string::npos);
 
   fs::remove(in("on.ckpt"));
-  EXPECT_NE(bad(1, train + kData + "/sinew_default.sinew").error.find("for another task"), std::string::npos);
+  EXPECT_NE(bad(1, train + kData + "/sinew_default.sinew").error.find("it has another task"), std::string::npos);
   EXPECT_NE(bad(1, "train set --task rig --config narrow.json --quiet -o on.ckpt --init " + kData + "/sinew_rig.sinew")
                 .error.find("narrow.json"),
             std::string::npos);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps of a bake: where a surface bends, what linear skinning lacks there, and which turns of joints drive it.
+// Steps of a bake: where a surface bends, the error of linear skinning there, and the joint rotations that drive it.
 #ifndef SINEW_CHARACTER_BAKE_BAKE_STEPS_HPP
 #define SINEW_CHARACTER_BAKE_BAKE_STEPS_HPP
 
@@ -34,7 +34,7 @@ class PoseRotations {
   const std::vector<size_t>& joints() const {
     return joints_;
   }  // those that have a parent; some without weight correct poses, too
-  const Eigen::MatrixXf& singles() const { return singles_; }  // [poses x 9 joints()] values of one turn each
+  const Eigen::MatrixXf& singles() const { return singles_; }  // [poses x 9 joints()] values of one rotation each
   const Eigen::MatrixXd& gram() const { return gram_; }        // singles' times singles
   // Terms' values, each times its scale. [poses x 9 terms]
   Eigen::MatrixXf values(const std::vector<MorphTerm>& terms, const std::vector<double>& scales) const;

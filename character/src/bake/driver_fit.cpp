@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Reduced rank ridge regression (Izenman 1975) of moves on values of turns. Constants are those that left least error on four characters of
-// the deformation yardstick, in sixty poses that were in no fit and are not those that `sinew bake` is measured by.
+// Reduced rank ridge regression (Izenman 1975) of displacements on rotation values. Constants are those that left
+// least error on four characters of the deformation yardstick, in sixty poses that were in no fit and are not those
+// that `sinew bake` is measured by.
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -20,13 +21,14 @@ constexpr double kNearer = 0.85;   // scale of a joint's values, a joint further
 constexpr double kFirstRidge = 4;  // of the sums of squares over the poses
 constexpr double kDriverRidge = 1;
 constexpr double kSharpness = 0.6;  // how much more a joint that explains more may explain in the end
-constexpr double kPairs = 2;        // scale of values of two turns
+constexpr double kPairs = 2;        // scale of products of two rotations
 constexpr double kOneSided =
     0.05;  // a sum that goes no farther than this share of its reach to one side needs no shape there
 constexpr double kRounding = 1e3;  // factors have three decimals: a third of the bytes in a file, the same weights
 
-// [turns.joints()] Scales: 1 for the joint that explains most of the moves, by ridge regression on single turns. Regions differ in what
-// moves them (a skirt's legs both of them, a fingertip all the fingers beside it), so they are asked, not the tree of joints alone.
+// [turns.joints()] Scales: 1 for the joint that explains most of the moves, by ridge regression on single rotations.
+// Regions differ in what moves them (a skirt's legs both of them, a fingertip all the fingers beside it), so they are
+// asked, not the tree of joints alone.
 std::vector<double> scales_of_joints(const PoseRotations& rotations, const std::vector<double>& distances,
                                      const MatrixF& moves) {
   const size_t count = rotations.joints().size();
@@ -55,7 +57,7 @@ struct ScaledTerms {
 
 // Those whose values can say most.
 ScaledTerms chosen_terms(const PoseRotations& rotations, const std::vector<double>& scales) {
-  constexpr double kSingleSquare = 0.05, kPairSquare = 0.0009;  // mean squares of values, turns of up to 60 degrees
+  constexpr double kSingleSquare = 0.05, kPairSquare = 0.0009;  // mean squares of values, rotations of up to 60 degrees
   struct Candidate {
     double square, scale;
     size_t joint, with;

@@ -133,7 +133,8 @@ class SeamCutter {
     }
   }
 
-  // What lies at one position is one vertex for engines, so that the slit would close again: copies go a little towards their part.
+  // Engines merge vertices at one position, which would close the slit again: copies move a little towards their
+  // part.
   void part_copies(size_t before) {
     const double step = kParted * static_cast<double>(box_of(character_.vertices).longest_side());
     for (const auto& [vertex, copy] : doubles_) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What weights say, the distance to each bone against its usual one, and creases, relaxed over the band. All constants: train families.
+// Weights, the distance to each bone relative to its usual one, and creases, relaxed over the band. All constants:
+// train families.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -148,7 +149,7 @@ class HomeFinder {
     return found;
   }
 
-  // What a vertex starts with and what its neighbors have, weighted by how flat the way to them is.
+  // The start value of a vertex and those of its neighbors, weighted by how flat the path to them is.
   void relax(size_t i, const std::vector<Scores>& now, Scores* scores) const {
     double sum = 1;
     const uint32_t v = band_[i];

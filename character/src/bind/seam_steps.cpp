@@ -149,7 +149,7 @@ std::vector<double> SeamSurface::distances(const std::vector<uint32_t>& starts, 
 namespace {
 
 constexpr double kApart = 0.15;  // of the mesh's longest side
-constexpr double kDetour = 2.5;  // times the straight way
+constexpr double kDetour = 2.5;  // times the straight distance
 
 }  // namespace
 

@@ -71,7 +71,7 @@ class SkeletonPaths {
   // the floor is the parent of all limbs work too. Negative where nothing joins them.
   double length(const BonePoint& a, const BonePoint& b) const;
   // Whether parts of the body that move apart meet where these two are near: the path is longer than 15 % of the size, and than two and
-  // a half times the straight way.
+  // a half times the straight distance.
   bool are_apart(const BonePoint& a, const BonePoint& b) const;
 
  private:

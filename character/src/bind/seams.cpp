@@ -16,7 +16,7 @@ namespace {
 // Chosen on train families, see trainer/configs/RESULTS.md.
 constexpr double kBand = 0.06;     // of the size, to both sides of where weights cross: homes are decided anew
 constexpr double kReach = 0.1;     // the same: rows are cleaned
-constexpr double kValley = -0.05;  // mean turn across a line above which it is no valley
+constexpr double kValley = -0.05;  // mean bend across a line above which it is no valley
 
 class SeamFinder {
  public:

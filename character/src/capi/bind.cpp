@@ -102,7 +102,7 @@ void bind(const sinew_character_bind_options& options, ProgressOfCaller* progres
   BindJobOptions job_options = job_of(options, *target);
   job_options.progress = progress->callback();
   job_options.progress_user = progress->user();
-  // Weights for the skeleton of another file are looked at only where some are to stay.
+  // Weights for the skeleton of another file matter only if some are kept.
   if (!target->own_skeleton && job_options.locked.empty() && job_options.hinted.empty()) character.influences.clear();
   BindHints hints;
   if (options.hints != nullptr) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What stands behind a sinew_character, and what every call of sinew/character.h has in common: options, errors, cancellation.
+// The contents of a sinew_character, and the common part of all calls of sinew/character.h: options, errors,
+// cancellation.
 #ifndef SINEW_CHARACTER_CAPI_HANDLE_HPP
 #define SINEW_CHARACTER_CAPI_HANDLE_HPP
 
@@ -41,7 +42,7 @@ struct CharacterViews {
   uint32_t influence_count = 0;
 };
 
-// Of a picture's outline.
+// Results of a picture's outline.
 struct OutlineViews {
   std::vector<uint32_t> offsets;
   std::vector<float> points;
@@ -173,7 +174,7 @@ inline void need(bool given, const char* what) {
   if (!given) throw Failure(SINEW_ERROR_ARGUMENT, std::string(what) + ": expected a pointer, found null");
 }
 
-// What the caller asks for: all defaults for null, members that an older header lacks are 0.
+// The caller's options: all defaults for null, members that an older header lacks are 0.
 template <class Options>
 Options options_of(const Options* given) {
   Options options;
@@ -256,7 +257,7 @@ std::shared_ptr<FileBytes> bytes_of(const sinew_file* files, uint32_t file_count
 void open_into(sinew_character* opened);
 // Reads the figure of the picture at `opened->path`.
 void open_picture_into(const PictureJobOptions& options, sinew_character* opened);
-// What is not the mesh, which the handle has.
+// Everything but the mesh, which the handle has.
 std::shared_ptr<const PictureCharacter> without_mesh(PictureCharacter picture);
 
 // Files of a character in memory are seen while this lives.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Calls that leave a character with less or in another place: sinew_character_simplify() (`sinew simplify`), sinew_character_lod() (`sinew lod`)
-// and sinew_character_transform() (--turn, --height and --floor of the command).
+// Calls that reduce or transform a character: sinew_character_simplify() (`sinew simplify`), sinew_character_lod()
+// (`sinew lod`) and sinew_character_transform() (--turn, --height and --floor of the command).
 #include <cmath>
 
 #include "conversions.hpp"

@@ -28,7 +28,7 @@ void apart(const RigFacts& facts, Findings* findings) {
   findings->add("skeleton-apart", std::move(finding));
 }
 
-// To the nearest vertex of its own, of its parent and of its children.
+// Distance to the nearest vertex of the joint, its parent and its children.
 double distance_to_own(const RigFacts& facts, size_t joint) {
   double nearest = -1;
   const Point3 at = point(facts.character.joints[joint].position);

@@ -137,7 +137,7 @@ class Labels {
     uint32_t joint = 0;
     double distance = INFINITY;
   };
-  // Of the joints that have weight; few vertices are asked about.
+  // The nearest joint with weight; called for few vertices.
   NearestJoint nearest(uint32_t vertex) const {
     NearestJoint best;
     for (uint32_t j = 0; j < c_.joints.size(); ++j) {

@@ -76,7 +76,8 @@ std::string quoted_names(const std::vector<std::string>& names) {
   return text + (names.size() > 5 ? ", ..." : "");
 }
 
-// What a file has beside its character: a scale above the skeleton, skins that no mesh has, meshes that stay behind.
+// Contents of a file beside its character: a scale above the skeleton, skins that no mesh has, meshes that stay
+// behind.
 void beside(const RigFacts& facts, const GltfRest& rest, Findings* findings) {
   RigFinding scaled, skins, meshes;
   scaled.value = std::max(rest.scale, 1 / rest.scale);

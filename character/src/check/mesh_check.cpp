@@ -76,7 +76,7 @@ Bounds bounds_of(const std::vector<Vec3>& vertices) {
   return box;
 }
 
-// What is wrong with faces one by one.
+// Faults of single faces.
 struct FaceCheck {
   Examples broken, degenerate, duplicate;
   std::vector<std::vector<uint32_t>> sound;
@@ -109,7 +109,7 @@ struct FaceCheck {
   }
 };
 
-// What faces share: edges, and the parts that hang together.
+// Edges that faces share, and connected components.
 struct EdgeCheck {
   Examples non_manifold, flipped;
   size_t boundary = 0;

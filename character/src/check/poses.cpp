@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What test poses do to the mesh: edges that tear, bends that collapse, faces inside out, parts that go through each other.
+// Measures the mesh in test poses: edges that tear, bends that collapse, faces inside out, parts that go through each
+// other.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -36,7 +37,7 @@ class PoseCheck {
   }
 
  private:
-  // Of each pair of joints on the two ends, the one with the lower index first.
+  // Pairs of joints on the two ends, the lower index first.
   void tears(const TestPose& pose, const Character& posed) {
     std::map<std::array<uint32_t, 2>, std::vector<uint32_t>> torn;
     for (const TornEdge& edge : torn_edges(facts_.character, posed)) {
@@ -71,7 +72,8 @@ class PoseCheck {
     findings_->add("lost-volume", std::move(finding));
   }
 
-  // Faces whose normal looks away from where the mean of their corners' rotations would turn it, by the strongest joint of their corners.
+  // Counts faces whose normal points away from the rest normal rotated by the mean of their corners' rotations, by
+  // the strongest joint of their corners.
   void flips(const TestPose& pose, const Character& posed) {
     const Character& c = facts_.character;
     std::map<uint32_t, std::vector<uint32_t>> turned;
@@ -90,7 +92,7 @@ class PoseCheck {
           const std::array<double, 3> n = transform_normal(pose.palette[j], before[0], before[1], before[2]);
           expected = expected + Point3{n[0], n[1], n[2]};
         }
-        // Bends in which the joint itself does not turn do not count for it.
+        // Bends in which the joint itself does not rotate are ignored for it.
         all[joint] += length(before);
         if (dot(after, expected) >= 0) continue;
         area[joint] += length(before);

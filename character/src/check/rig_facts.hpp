@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What rules ask a character for: facts found once, and poses that every body of its kind takes.
+// Facts of a character for the rules, found once, and poses that every body of its kind takes.
 #ifndef SINEW_CHARACTER_CHECK_RIG_FACTS_HPP
 #define SINEW_CHARACTER_CHECK_RIG_FACTS_HPP
 
@@ -45,14 +45,15 @@ struct RigFacts {
   bool is_single(size_t joint) const;
 };
 
-// Poses that every body of a kind takes: elbows and knees bent, limbs swung, hands turned.
+// Poses that every body of a kind takes: elbows and knees bent, limbs swung, hands twisted.
 struct TestPose {
   std::string name;             // "elbows and knees bent by 90 degrees"
-  std::vector<size_t> joints;   // that turn
+  std::vector<size_t> joints;   // rotated joints
   std::vector<Affine> palette;  // [J] skinning matrices
 };
 
-// Poses in which at least one joint turns. Angles are tabled with their sines, so that matrices are the same on every machine.
+// Poses in which at least one joint rotates. Angles are tabled with their sines, so that matrices are the same on
+// every machine.
 std::vector<TestPose> test_poses(const RigFacts& facts);
 
 }  // namespace sinew

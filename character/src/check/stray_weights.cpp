@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-// Of an island's weight, the least that holds it together; less is blur.
+// Least share of an island's weight that counts as a bone's; less is blur.
 constexpr double kSupport = 0.05;
 constexpr size_t kLeastRing = 3;
 

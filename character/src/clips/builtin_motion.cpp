@@ -16,7 +16,7 @@ using clips::Block;
 
 const std::string kPrefix = "builtin:";
 
-// What gaits/ says, read once: a kind and its clips for each file, then the variants.
+// Contents of gaits/, read once: a kind and its clips for each file, then the variants.
 struct Gaits {
   std::vector<std::vector<Block>> kinds;
   std::vector<Block> variants;

@@ -40,7 +40,7 @@ struct Line {
   std::vector<std::pair<std::string, Sum>> values;
 
   const Sum* find(const std::string& value) const;
-  // Of a value that is the same all the time.
+  // The number of a constant value.
   double number(const std::string& value, double otherwise) const;
 };
 
@@ -57,7 +57,7 @@ std::vector<Block> read_gaits(const std::string& file, const std::string& text);
 // name ends them.
 const TemplateText* gait_texts();
 
-// What couplings refer to: "let" lines by name, later ones instead of earlier ones, then what a variant makes of them.
+// Values that couplings refer to: "let" lines by name, later ones instead of earlier ones, then those of a variant.
 class Signals {
  public:
   void add(const std::vector<Line>& lines);   // let NAME is SUM

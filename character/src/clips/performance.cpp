@@ -66,7 +66,8 @@ class Performance {
   }
 
  private:
-  // Of the left side and, a share of the cycle later, of the right one, unless "!" follows the name: that one alone.
+  // Applies to the left side and, a share of the cycle later, to the right one, unless "!" follows the name: that one
+  // alone.
   void add(const Line& line, std::vector<Moved>* moved) const {
     const double later = line.number("later", 0), grow = line.number("grow", 1);
     for (size_t n = 0; n < line.names.size(); ++n) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A puppet's joints turned and its limbs bent to where they reach; a foot over one cycle of a gait.
+// Rotates a puppet's joints and bends its limbs to their targets; a foot over one cycle of a gait.
 #include "clips/puppet.hpp"
 
 #include <algorithm>

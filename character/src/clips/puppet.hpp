@@ -38,7 +38,7 @@ class Puppet {
   void move_root(const Point3& shift) { frame_.translations[0] = motion_.joints[0].offset + shift; }
   void turn(size_t joint, const Quaternion& against_parent) { frame_.rotations[joint] = normalized(against_parent); }
   void turn_in_world(size_t joint, const Quaternion& rotation);
-  // Of what the joint's parents turn it by.
+  // Relative to the rotation by the joint's parents.
   Quaternion carried(size_t joint) const { return world_rotation(motion_.joints[joint].parent); }
   Point3 rest_position(size_t joint) const { return rest_[joint]; }
   // Bends the limb so that its end is at `target`, the middle joint towards `bend`, where it also points at rest.

@@ -95,7 +95,7 @@ void refuse_misfit(const AnimateOptions& s, const MotionInput& input, const Moti
   notes->push_back("warning: " + what + "move; the rest keeps its pose");
 }
 
-// What of the body does not move as it should, and what stays as it is.
+// Parts of the body that do not move as they should, and parts that do not move.
 void tell_parts(const std::string& file, const MapCover& cover, std::vector<std::string>* notes) {
   std::string text;
   for (const std::string& warning : cover.warnings) text += (text.empty() ? "" : "; ") + warning;

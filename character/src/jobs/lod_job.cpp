@@ -70,7 +70,7 @@ std::vector<Corners> corners_of(const std::vector<Vec3>& surface, const Triangle
   return out;
 }
 
-// Of vertices from the surface that the triangles make.
+// Distances of vertices from the surface of the triangles.
 Distance distance(const std::vector<Vec3>& vertices, const std::vector<Vec3>& surface, const Triangles& triangles) {
   Distance out;
   const std::vector<Corners> all = corners_of(surface, triangles);

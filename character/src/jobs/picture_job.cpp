@@ -67,7 +67,7 @@ std::vector<DrawnLimb> arms_in(const PredictedSkeleton& skeleton, const PictureP
         if (skeleton.joints[next].parent == static_cast<int>(at) && (is_arm(next) || skeleton.ends[next] != 0))
           at = next;
     }
-    // What begins over the head is no arm but hair or ears.
+    // A limb that begins over the head is hair or an ear, no arm.
     if (arm.points.size() > 2 && skeleton.joints[j].position.y < head) arms.push_back(std::move(arm));
   }
   return arms;

@@ -11,7 +11,8 @@ namespace sinew {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-// Of a bone that points to the viewer the direction in the plane says nothing; from this share of its length on it counts in full.
+// The direction in the plane is meaningless for a bone that points to the viewer; from this share of its length on it
+// counts in full.
 constexpr double kTellingLength = 0.4;
 
 using Direction = std::array<double, 2>;

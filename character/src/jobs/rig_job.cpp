@@ -51,7 +51,7 @@ void say_direction(const RigJobOptions& job, const PredictedSkeleton& skeleton, 
                    (up && front ? " and " : "") + (front ? "--front, as in --front +z" : ""));
 }
 
-// What the votes know little of may be a hand: below that spread none of the training characters' hands is.
+// A mesh with uncertain votes may be a hand: below that spread none of the training characters' hands is.
 constexpr float kHandSpread = 0.055f;
 
 // A hand without a body, with a note that it is a guess.
@@ -163,7 +163,7 @@ bool take_parts(const RigJobOptions& job, Character* character, PredictedSkeleto
   return true;
 }
 
-// What the skeleton has besides a body: fingers, and a face.
+// Parts of the skeleton besides a body: fingers, and a face.
 LabeledSkeleton add_details(const RigJobOptions& job, const sinew_model& hands, RiggedCharacter* rigged) {
   SkeletonOptions options;
   options.up_axis = rigged->skeleton.up_axis;
@@ -255,7 +255,7 @@ void put_into_pose(const RestPose& pose, RiggedCharacter* rigged) {
   if (rigged->fitted) rigged->fitted->joints = rigged->character.joints;
 }
 
-// Of votes: limbs that may be wrong, by name.
+// Limbs that may be wrong by their votes, by name.
 void say_doubts(RiggedCharacter* rigged) {
   rigged->doubtful = doubtful_limbs(rigged->skeleton);
   if (!rigged->doubtful.empty()) rigged->character.notes.push_back(doubts_text(rigged->doubtful));

@@ -9,7 +9,8 @@
 
 namespace sinew {
 
-// What rig_picture() finds in the outline of the mesh, laid into its plane. Nothing where the mesh is no sheet that stands.
+// The skeleton that rig_picture() finds in the outline of the mesh, in the mesh's plane. Empty if the mesh is no
+// upright sheet.
 //   votes      of the mesh itself: which axis is up, and the front that the user gave
 //   character  gets notes
 std::optional<PredictedSkeleton> sheet_skeleton(const RigJobOptions& job, const RigModels& models,

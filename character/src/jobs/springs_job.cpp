@@ -53,7 +53,7 @@ void change_named(const std::string& path, const std::string& pattern, std::vect
     throw Error(path + ": expected one of its chains, " + names_of(*chains) + ", found " + in_quotes(pattern));
 }
 
-// Chains of the file, without colliders of theirs. A joint that two chains turn is the first one's.
+// Chains of the file, without their colliders. A joint of two chains belongs to the first one.
 std::vector<FoundChain> own_chains(const Springs& own, const Character& character) {
   std::vector<FoundChain> out;
   std::map<size_t, std::string> turned_by;

@@ -107,7 +107,7 @@ class Measure {
  public:
   Measure(const VertexTextures& textures, const StillMesh& mesh) : textures_(textures), mesh_(mesh) {}
 
-  // `share` of the way from frame to frame + 1, as shaders interpolate.
+  // `share` of the interval from frame to frame + 1, as shaders interpolate.
   void add(const std::vector<Vec3>& exact, size_t frame, double share, Distances* distances) const {
     for (size_t i = 0; i < mesh_.vertices().size(); ++i) {
       Point3 shown = at(i, frame);

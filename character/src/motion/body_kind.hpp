@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What kind of body a skeleton is, as far as motions care: on how many legs it goes, and whether upright.
+// The kind of body of a skeleton, as far as motions depend on it: number of legs, and whether it is upright.
 #ifndef SINEW_CHARACTER_MOTION_BODY_KIND_HPP
 #define SINEW_CHARACTER_MOTION_BODY_KIND_HPP
 

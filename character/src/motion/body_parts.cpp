@@ -87,7 +87,7 @@ void BodyParts::gather() {
     if (classes_[j] == SINEW_CLASS_TOE && on_limb)
       kinds_[j] = parts_[static_cast<size_t>(above)].kind;  // of a front leg
     const auto same = [&](const BodyPart& part) { return part.kind == kinds_[j]; };
-    // One trunk and one head, whatever lies between their joints; limbs and tails as they hang together.
+    // One trunk and one head, whatever lies between their joints; limbs and tails by connected components.
     const bool one = kinds_[j] == PartKind::kTrunk || kinds_[j] == PartKind::kHead;
     const auto found = one ? std::find_if(parts_.begin(), parts_.end(), same)
                        : above >= 0 && same(parts_[static_cast<size_t>(above)]) ? parts_.begin() + above

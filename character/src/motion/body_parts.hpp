@@ -25,7 +25,8 @@ struct BodyPart {
   std::vector<int> joints;  // without ends, parents first
 };
 
-// A skeleton's parts: joints of one kind that hang together, as their classes say it. None where neither names nor an upright stance tell.
+// The parts of a skeleton: connected joints of one kind, by their classes. None where neither names nor an upright
+// stance tell.
 class BodyParts {
  public:
   BodyParts(const MapRig& rig, MaybeAxis up);

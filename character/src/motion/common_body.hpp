@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What two characters of one mesh have in common: makers dress one body in other clothes.
+// The common part of two characters of one mesh: makers dress one body in other clothes.
 #ifndef SINEW_CHARACTER_MOTION_COMMON_BODY_HPP
 #define SINEW_CHARACTER_MOTION_COMMON_BODY_HPP
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a map does to a body, part by part.
+// Effects of a map on a body, part by part.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace sinew {
 namespace {
 
-// What carries a part's motion: collarbones, hip joints and toes may lack a source, and a neck moves the head.
+// Joints that carry a part's motion: collarbones, hip joints and toes may lack a source, and a neck moves the head.
 bool is_essential(uint8_t joint_class) {
   return joint_class != SINEW_CLASS_CLAVICLE && joint_class != SINEW_CLASS_HIP && joint_class != SINEW_CLASS_TOE &&
          joint_class != SINEW_CLASS_NECK;
@@ -69,7 +69,7 @@ class MapReader {
   size_t moved() const {
     return static_cast<size_t>(std::count_if(sources_.begin(), sources_.end(), [](int s) { return s >= 0; }));
   }
-  // Of the smaller skeleton's joints; half of the larger one's may have none.
+  // Share of the smaller skeleton's joints that move; half of the larger one's may have no source.
   double moved_share() const {
     size_t all = 0;
     for (size_t j = 0; j < sources_.size(); ++j) all += target_.ends.empty() || target_.ends[j] == 0 ? 1 : 0;
@@ -149,7 +149,7 @@ class MapReader {
     }));
   }
 
-  // Of a target's part those of the source that could move it.
+  // The parts of the source that could move a part of the target.
   bool could_move(const BodyPart& part, const BodyPart& other) const {
     if (part.side != 0 && other.side != 0 && part.side != other.side) return false;
     if (part.kind == other.kind) return true;
@@ -207,7 +207,7 @@ class MapReader {
     return false;
   }
 
-  // A hand or foot that hangs elsewhere, of inverse kinematics: it goes with its limb.
+  // A hand or foot with another parent, of inverse kinematics: it goes with its limb.
   bool is_end_of_moved(const BodyPart& part) const {
     const auto is_end = [&](int j) {
       const uint8_t own = to_.class_of(j);
@@ -296,7 +296,7 @@ class MapReader {
     return texts;
   }
 
-  // What has no source because the source has nothing like it: hair, ropes, tails.
+  // Joints without a source because the source has nothing like them: hair, ropes, tails.
   std::string rigid_parts() const {
     std::vector<std::string> words;
     const auto add = [&](const std::string& word) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rigs from files with their end markers, and their way through sinew_map().
+// Maps rigs from files, with their end markers, by sinew_map().
 #include "sinew_character/motion/map_skeleton.hpp"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ size_t skin_vertices(const std::string& path) {
   return count;
 }
 
-// [J] what some frame of some clip turns or moves away from its first; empty without clips.
+// [J] joints that some frame of some clip rotates or moves from its first; empty without clips.
 std::vector<uint8_t> animated_joints(const Motion& motion) {
   if (motion.clips.empty()) return {};
   std::vector<uint8_t> animated(motion.joints.size(), 0);
@@ -62,7 +62,7 @@ std::vector<uint8_t> animated_joints(const Motion& motion) {
 
 MapRig rig_in_stance(const Motion& motion) { return map_source_of(motion, nullptr, {}, {}).rig; }
 
-// Of a file with a mesh, or with moving nodes alone.
+// The rig of a file with a mesh, or with moving nodes alone.
 MapRig rig_of_scene(const std::string& path) {
   try {
     Character character;

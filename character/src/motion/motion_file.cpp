@@ -128,7 +128,7 @@ bool has_all_joints_of(const Motion& whole, const Motion& part) {
   });
 }
 
-// Of bodies that fit alike the first one, or a plainer form of it: legs of two joints move as such.
+// Among bodies that fit alike, the first one, or a simpler form of it: legs of two joints move as such.
 Motion motion_of_request(const MotionRequest& request, const MapRig& rig) {
   if (!is_builtin_motion(request.path)) return read_motion(request.path, request.fps, request.layout);
   if (!request.layout.empty()) check_layout(request.path);

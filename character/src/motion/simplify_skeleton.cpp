@@ -87,7 +87,7 @@ Simplified simplify_skeleton(const SimplifyOptions& options, Character* characte
 
 namespace {
 
-// What each joint of a rig is part of at a level.
+// The part of each joint of a rig at a level.
 std::vector<uint32_t> merged(const MapRig& rig, const MapSkeletonOptions& options, const std::vector<uint8_t>& keep,
                              bool low) {
   const MapRigView view(rig, {}, options);

@@ -235,7 +235,7 @@ class StanceFinder {
     return joint >= 0;
   }
 
-  // Of a torso's joint the next one up to the head, where it is not where the joint is.
+  // The next joint from a torso's joint up to the head, at a different position.
   int next_in_trunk(int joint) const {
     int at = top();
     if (!is_below(at, joint) || at == joint) return -1;
@@ -312,7 +312,7 @@ MirrorPairs mirror_pairs_of(const MovingJoints& moving, const JointVerdicts& ver
   return pairs.size() < kFewestPairs ? moving.mirror_pairs() : pairs;
 }
 
-// Of bodies on four legs, of birds: their typical pose, where their rest pose is in one line or, by names of sides,
+// For quadrupeds and birds: their typical pose, if their rest pose is in one line or, by names of sides,
 // no mirror image of itself.
 std::optional<Motion> in_typical_pose(const Motion& motion, MaybeAxis up) {
   const MovingJoints moving(motion);

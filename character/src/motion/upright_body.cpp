@@ -74,7 +74,7 @@ class BodyFinder {
     }
     return -1;
   }
-  // The first joint that lies elsewhere on the longest way down.
+  // The first joint at another position on the longest path down.
   int tip_of(int joint) const {
     int at = joint;
     while (at >= 0 && !(distance(joint, at) > 0)) {
@@ -129,7 +129,7 @@ class BodyFinder {
   const std::vector<Joint>& joints_;
   const std::vector<uint8_t>& classes_;
   JointTree tree_;
-  std::vector<double> reach_;  // [J] length of the longest way down
+  std::vector<double> reach_;  // [J] length of the longest path down
 };
 
 }  // namespace

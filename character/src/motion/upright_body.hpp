@@ -49,8 +49,8 @@ struct BodyFrame {
 //   up  of the world: "x", "y", "z", or "auto"
 BodyFrame body_frame(const std::vector<Joint>& joints, const UprightBody& body, MaybeAxis up);
 
-// To where a calf, else a forearm, goes when its joint bends, across the bone above it: to the side of the bend at
-// rest, else the calf back and the forearm to the front. Returns nullopt if unknown.
+// The direction in which a calf, else a forearm, moves when its joint bends, across the bone above it: to the side of
+// the bend at rest, else the calf back and the forearm to the front. Returns nullopt if unknown.
 //   along, own  unit vectors along the bone above and along its own
 //   front       of the body; zero: unknown
 std::optional<Point3> bend_side(const Point3& along, const Point3& own, const Point3& front, bool calf);

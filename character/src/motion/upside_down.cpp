@@ -15,7 +15,7 @@ namespace {
 constexpr double kRest = 0.4,
                  kFrames = 0.6;  // cosine between trunk or legs and the axis; many rest poses are no stances
 
-// Of a pose the torso's direction, and that of the legs from the feet.
+// The torso's direction in a pose, and that of the legs from the feet.
 struct Stance {
   Point3 trunk, legs;
 };

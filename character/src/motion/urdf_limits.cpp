@@ -196,7 +196,7 @@ class UrdfReader {
     }
   }
 
-  // Frames in the world, joints in any order; what hangs in a circle stays at the origin.
+  // Frames in the world, joints in any order; joints of a cycle stay at the origin.
   void place() {
     std::map<std::string, const UrdfJoint*> above;
     for (const UrdfJoint& joint : joints_) above.emplace(joint.child, &joint);

@@ -8,7 +8,8 @@
 
 namespace sinew {
 
-// What lies outside of the silhouette goes to an inner vertex of its middle line: the nearest one, where an inner one is the nearer the deeper it lies.
+// Joints outside of the silhouette move to an inner vertex of its middle line: the nearest one, with distances that
+// are smaller for deeper vertices.
 //   mesh      of the picture plane
 //   skeleton  in it; z stays
 void move_joints_inside(const Character& mesh, PredictedSkeleton* skeleton);
@@ -18,7 +19,8 @@ void move_joints_inside(const Character& mesh, PredictedSkeleton* skeleton);
 //   mesh  in the picture plane
 void part_side_limbs(const Character& mesh, PredictedSkeleton* skeleton);
 
-// Votes for two legs that lie on each other make one leg that forks. No arm or leg does, above hand or foot: the way with most joints stays.
+// Votes for two legs that lie on each other make one leg that forks. No arm or leg forks above its hand or foot: the
+// path with most joints stays.
 void take_forks_off(PredictedSkeleton* skeleton);
 
 }  // namespace sinew

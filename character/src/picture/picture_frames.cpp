@@ -71,7 +71,7 @@ void add_shots(const Character& character, const Motion& motion, const Clip& cli
   }
 }
 
-// Of the rest pose: pixels of the picture a unit of the mesh.
+// In the rest pose: pixels of the picture per unit of the mesh.
 float pixels_of(const PictureFile& picture, const Character& character) {
   float low = 1e9f, high = -1e9f, left = 1e9f, right = -1e9f;
   for (const auto& uv : character.corner_uvs) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Directions of bones in the body's own axes, and the turns that bring a skeleton's bones there.
+// Directions of bones in the body's own axes, and the rotations that bring a skeleton's bones there.
 #include "sinew_character/pose/rest_pose.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::optional<Point3> direction_of(const Point3& p) {
   return size > 1e-9 ? std::optional<Point3>((1 / size) * p) : std::nullopt;
 }
 
-// The shortest turn of one unit vector onto another; 180 degrees goes about `axis`.
+// The shortest rotation of one unit vector onto another; a rotation by 180 degrees is about `axis`.
 Rotation turn_between(const Point3& from, const Point3& to, const Point3& axis) {
   const Point3 across = cross(from, to);
   const double sine = length(across), cosine = dot(from, to);
@@ -258,7 +258,7 @@ std::vector<Affine> follow(const Body& body, const BoneGoals& goals) {
   return palette;
 }
 
-// What moves a vertex [V]: its joints' turns, blended, and put where the deformation has it.
+// The transform of a vertex [V]: its joints' rotations, blended, at the position of the deformation.
 std::vector<Affine> vertex_matrices(const Character& rest, const std::vector<Affine>& palette, const Character& posed) {
   std::vector<Affine> matrices(rest.vertices.size(), kIdentity);
   for (size_t v = 0; v < matrices.size(); ++v) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is done to a skeleton after it was fitted into a mesh: its fingers go where the mesh's are, limbs stay in the mesh.
+// Corrects a skeleton after it was fitted into a mesh: its fingers move to those of the mesh, limbs stay in the mesh.
 #ifndef SINEW_CHARACTER_PREDICT_FIT_DETAILS_HPP
 #define SINEW_CHARACTER_PREDICT_FIT_DETAILS_HPP
 
@@ -20,8 +20,8 @@ bool is_lone_hand(const PredictedSkeleton& skeleton);  // fingers, a hand, at mo
 // more at its root lies in the palm. Fingers that were not found stay. Returns how many were.
 size_t fit_fingers(const PredictedSkeleton& found, FittedSkeleton* fitted);
 
-// A hand's skeleton put where a lone hand was found: turned, scaled and moved as a whole by its fingers, then these as above.
-// nullopt: fewer than three fingers are in both.
+// Fits a hand's skeleton to a lone hand: rotates, scales and moves the whole by its fingers, then fits these as
+// above. nullopt: fewer than three fingers are in both.
 std::optional<FittedSkeleton> fit_lone_hand(const std::vector<Joint>& own, const PredictedSkeleton& found);
 
 // Bones of chains that nothing of the mesh spoke for (FitHow::kCarried) become so short, by tenths to a tenth, that they end in it or within

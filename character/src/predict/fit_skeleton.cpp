@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fits a labeled skeleton to another: turn the whole, match chains, place them, carry the rest with their bones.
+// Fits a labeled skeleton to another: rotates the whole, matches and positions chains, moves the rest with their
+// bones.
 #include "sinew_character/predict/fit_skeleton.hpp"
 
 #include <algorithm>
@@ -28,10 +29,10 @@ constexpr double kHabitWeight = 0.05, kHeadWeight = 0.5;  // in the similar copy
 constexpr double kUnlikeTrunk = 0.3;   // share of the torso's extent that the similar copy leaves
 constexpr double kUnlikeLength = 0.5;  // natural logarithm of two lengths' ratio
 
-constexpr double kUntouched = 0.7;    // a turn of the whole must fit that much better than none
+constexpr double kUntouched = 0.7;    // a rotation of the whole must fit that much better than none
 constexpr double kFloorShare = 0.04;  // of the height: a root at most that high above the lowest joint is on the floor
 
-// Rest pose with the whole skeleton turned.
+// Rest pose with the whole skeleton rotated.
 LabeledSkeleton turned_skeleton(LabeledSkeleton s, const Rotation& rotation) {
   for (Joint& joint : s.joints) joint.position = to_vec3(turned(rotation, point(joint.position)));
   return s;
@@ -262,7 +263,7 @@ class Fitter {
         {joint, {from, (length(from) * scale_into(limb, last.mine) / std::max(length(to), 1e-30)) * to, 1}});
   }
 
-  // Of the chain's bone that ends at a point.
+  // Scale of the chain's bone that ends at a point.
   double scale_into(const MatchedLimb& limb, size_t i) const {
     if (i == 0) return whole_.scale;
     const size_t a = joint_index(limb.mine.joints[i - 1]), b = joint_index(limb.mine.joints[i]);
@@ -303,7 +304,7 @@ class Fitter {
 
   bool framed(size_t j) const { return known_[j]; }
 
-  // What no matched joint is above: roots, controls below them, second skeletons.
+  // Joints without a matched ancestor: roots, controls below them, second skeletons.
   void place_roots() {
     double low_old = INFINITY, low_new = INFINITY, high_old = -INFINITY;
     std::vector<size_t> sure;
@@ -382,7 +383,7 @@ class Fitter {
   std::vector<std::pair<size_t, RotationPair>> open_ends_;
 };
 
-// No turn first, then quarters about the up axis, then the same after another up axis was brought there.
+// First no rotation, then quarters about the up axis, then the same with other up axes.
 std::vector<Rotation> rotations_of_the_whole(Axis up) {
   const Rotation tip = up == Axis::kZ ? Rotation{1, 0, 0, 0, 0, -1, 0, 1, 0} : Rotation{1, 0, 0, 0, 0, 1, 0, -1, 0};
   const Rotation quarter = up == Axis::kZ ? Rotation{0, -1, 0, 1, 0, 0, 0, 0, 1} : Rotation{0, 0, 1, 0, 1, 0, -1, 0, 0};

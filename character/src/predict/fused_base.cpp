@@ -33,7 +33,7 @@ int64_t turn_of(const std::array<int64_t, 2>& a, const std::array<int64_t, 2>& b
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-// Of points by x, then y: twice the area of their hull.
+// Twice the area of the hull of points in order of x, then y.
 double hull_area(std::vector<std::array<int64_t, 2>> points) {
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());

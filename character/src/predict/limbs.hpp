@@ -70,7 +70,7 @@ inline std::vector<double> lengths_along(const std::vector<Point3>& points, size
   return along;
 }
 
-// At a share of the way from point `first` to point `last`, 0 to 1.
+// The point at a share of the distance from point `first` to point `last`, 0 to 1.
 inline Point3 point_along(const std::vector<Point3>& points, size_t first, size_t last, double share) {
   const std::vector<double> along = lengths_along(points, first, last);
   const double wanted = share * along.back();

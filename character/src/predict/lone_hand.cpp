@@ -16,8 +16,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Of training characters thirteen hands reach 0.165 to 0.245, one of another world 0.125, and no other one more than 0.137
-// (trainer/configs/RESULTS.md).
+// Thirteen hands of training characters reach 0.165 to 0.245, one of another world 0.125, and no other one more than
+// 0.137 (trainer/configs/RESULTS.md).
 constexpr float kLeastAgreement = 0.15f;
 // A hand of the other side that agrees this well is as good. All ten training hands whose names tell their side have it, seven of them with
 // less than this of the other one.

@@ -131,7 +131,7 @@ class Matcher {
     }
   }
 
-  // What no class tells: legs of a spider that another maker calls bones.
+  // Limbs without a class: legs of a spider that another maker calls bones.
   void match_leftovers() {
     const auto is_left = [](const Limb& limb, const std::vector<int>& taken) {
       return limb.kind != LimbKind::kTrunk && std::find(taken.begin(), taken.end(), limb.joints[0]) == taken.end();

@@ -191,7 +191,7 @@ class PartTree {
     return low;
   }
 
-  // Of several parts at the front the largest is the head; the others go with it, or with the torso.
+  // Among several parts at the front the largest is the head; the others go with it, or with the torso.
   void choose_head(const std::vector<size_t>& heads) {
     if (heads.empty()) return;
     const auto smaller = [&](size_t a, size_t b) { return volume(parts_[a].box, 0) < volume(parts_[b].box, 0); };

@@ -7,11 +7,11 @@
 namespace sinew {
 namespace {
 
-constexpr double kUsual = 1e-4;  // weight of the usual turn, share of that of all pairs
+constexpr double kUsual = 1e-4;  // weight of the usual rotation, share of that of all pairs
 
 using Matrix4 = std::array<std::array<double, 4>, 4>;
 
-// Of the largest eigenvalue of a symmetric matrix.
+// The eigenvector of the largest eigenvalue of a symmetric matrix.
 std::array<double, 4> largest_eigenvector(Matrix4 a) {
   Matrix4 v = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
   for (int sweep = 0; sweep < 60; ++sweep) {

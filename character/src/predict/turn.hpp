@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rotation that turns old bones to where the new ones point.
+// The rotation of old bones onto the directions of the new ones.
 #ifndef SINEW_CHARACTER_PREDICT_TURN_HPP
 #define SINEW_CHARACTER_PREDICT_TURN_HPP
 
@@ -18,7 +18,7 @@ struct RotationPair {
 };
 
 // Least squares over directions and lengths (Horn 1987, "Closed-form solution of absolute orientation using unit
-// quaternions"). Where the pairs leave a turn open, about a single bone for one, it is the one nearest to `usual`.
+// quaternions"). If the pairs leave a rotation open, such as about a single bone, it is the one nearest to `usual`.
 Rotation best_rotation(const std::vector<RotationPair>& pairs, const Rotation& usual);
 
 }  // namespace sinew

@@ -13,14 +13,15 @@
 namespace sinew {
 namespace {
 
-// Of a wheel: how much higher than long it may be, how far inside its radius its corners may lie and how far outside, its width in
-// diameters, its diameter in lengths of the vehicle, and where its middle is at most, in heights.
+// Limits of a wheel: how much higher than long it may be, how far inside its radius its corners may lie and how far
+// outside, its width in diameters, its diameter in lengths of the vehicle, and where its middle is at most, in
+// heights.
 constexpr double kRound = 0.1, kInside = 0.9, kOutside = 1.08, kWidest = 1.3, kLeastWheel = 0.05, kMostWheel = 0.7,
                  kHighest = 0.6;
 constexpr size_t kSectors = 8;
-// Of a gun: so many times as long as thick. Of a turret: its bottom lies so high in the vehicle.
+// A gun is so many times as long as thick; a turret's bottom lies so high in the vehicle.
 constexpr double kSlenderGun = 4, kTurretBottom = 0.35;
-// Of a door: thickness, height and length in those of the vehicle.
+// Thickness, height and length of a door, shares of those of the vehicle.
 constexpr double kDoorThick = 0.2, kDoorLow = 0.2, kDoorShort = 0.1, kDoorLong = 0.45;
 
 class Vehicle {

@@ -50,7 +50,7 @@ std::optional<AxesPart> part_of(uint8_t joint_class) {
   }
 }
 
-// What a bone of a class leads to, besides more of its own class.
+// Classes that may follow a bone of a class, besides its own.
 std::vector<uint8_t> next_classes(uint8_t joint_class) {
   switch (joint_class) {
     case SINEW_CLASS_PELVIS:
@@ -108,7 +108,7 @@ Rotation of_letters(const char* letters) {
   return r;
 }
 
-// The shortest turn; 180 degrees goes about the front, that of a bone along the front about the upright axis.
+// The shortest rotation; 180 degrees is about the front, for a bone along the front about the upright axis.
 Rotation turn_between(const Point3& from, const Point3& to) {
   const Point3 across = cross(from, to);
   const double sine = length(across), cosine = dot(from, to);

@@ -50,7 +50,7 @@ class Humanoid {
     return steps;
   }
 
-  // Of a class and a side, nearest to the root first.
+  // Joints of a class and a side, nearest to the root first.
   std::vector<size_t> of_class(uint8_t joint_class, int side) const {
     std::vector<size_t> found;
     for (size_t j = 0; j < joints_.size(); ++j)

@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-// What a joint is in a body of one pelvis, one trunk, one neck, and a limb of a kind a side.
+// The part of a joint in a body with one pelvis, one trunk, one neck, and one limb per kind and side.
 struct BodyBone {
   uint8_t joint_class;  // sinew_joint_class
   int side;             // 1 left, -1 right, 0 in the middle

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Clips brought onto a T pose: with T what turns a joint from rest to there and W its rotation against the rest pose in the world, it is W T^-1
-// against the T pose.
+// Clips relative to a T pose: with T the rotation of a joint from rest to the T pose and W its rotation from the rest
+// pose in the world, it is W T^-1 against the T pose.
 #include "sinew_character/profile/vrm_clips.hpp"
 
 #include <utility>
@@ -86,7 +86,7 @@ class HumanoidClips {
   Rotation turn_ = kNoRotation;           // of the whole body: upright and to the front
   Quaternion turn4_ = kNoRotation4;
   std::vector<Quaternion> to_t_;   // [J]
-  std::vector<Point3> positions_;  // [J] in the T pose, turned
+  std::vector<Point3> positions_;  // [J] in the T pose, rotated
   std::vector<int> number_;        // [J] of the bone, or -1
   std::vector<size_t> kept_;       // [bones] parents first
 };

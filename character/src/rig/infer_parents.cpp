@@ -59,7 +59,8 @@ size_t top_of(const std::vector<Joint>& joints, size_t joint) {
   return joint;
 }
 
-// Leaves with a parent that only end its bone: what a flat list may have of a hierarchy, and nothing to hang others on.
+// Leaves with a parent that only end its bone: all of a hierarchy that a flat list may contain; no parents for other
+// joints.
 std::vector<char> tips_of(const std::vector<Joint>& joints, const std::vector<ReadName>& said) {
   std::vector<char> tips(joints.size(), 0);
   for (size_t j = 0; j < joints.size(); ++j)
@@ -104,7 +105,7 @@ size_t infer_parents(std::vector<Joint>* joints) {
     next = nearest;
   }
 
-  // Away from the root; a group of joints that has parents keeps them and is hung up at its top.
+  // Away from the root; a group of joints that has parents keeps them; only its top gets a parent.
   const size_t root = top_of(*joints, choose_root(said, neighbors));
   size_t given = 0;
   std::vector<char> seen(count, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Skirts, coats' tails and capes that hang off a bound body and have no joints of their own.
+// Finds skirts, coat tails and capes of a bound body that have no joints of their own.
 #ifndef SINEW_SPRINGS_FIND_GARMENTS_HPP
 #define SINEW_SPRINGS_FIND_GARMENTS_HPP
 
@@ -11,11 +11,11 @@
 
 namespace sinew {
 
-// A sheet that hangs, as a lattice of lines from its top to its hem.
+// A hanging sheet as a lattice of lines from its top to its hem.
 struct Garment {
   SpringKind kind = SpringKind::kSkirt;
-  size_t on = 0;                // the joint that it hangs on
-  std::vector<size_t> parents;  // [lines] the joints that the lines hang on: panels of a skirt beside a leg go with it
+  size_t on = 0;                // its parent joint
+  std::vector<size_t> parents;  // [lines] parent joints of the lines: panels of a skirt beside a leg move with it
   bool ring = false;            // it goes all the way around: the last line is beside the first
   float certainty = 0;          // 0..1
   std::vector<std::vector<Point3>>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chains by what joints are called, then by what hangs off a body whose limbs are known.
+// Finds chains by joint names, then by the branches of a body whose limbs are known.
 #include "sinew_character/springs/find_springs.hpp"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ class SpringFinder {
     for (const std::vector<Influence>& row : character.influences)
       for (const Influence& one : row) weight_[one.joint] += static_cast<double>(one.weight);
     for (const Joint& joint : character.joints) stiff_.push_back(names_stiff_thing(joint.name) ? 1 : 0);
-    // What most names have is the character's own name: a horn monster's.
+    // A word that most names contain is the character's name: a horn monster's.
     if (2 * std::count(stiff_.begin(), stiff_.end(), 1) > static_cast<std::ptrdiff_t>(stiff_.size()))
       stiff_.assign(stiff_.size(), 0);
     names_.resize(character.joints.size());
@@ -125,7 +125,7 @@ class SpringFinder {
     return {word->kind, kSureWord, "its joints are called " + word->word};
   }
 
-  // Nothing of the body hangs below.
+  // No joint of the body lies below.
   bool ends_freely(size_t j) const {
     for (const int child : children(j)) {
       const size_t k = joint_index(child);
@@ -143,7 +143,7 @@ class SpringFinder {
     return most;
   }
 
-  // The joints from `first` down; where it forks, the longer branch goes on and the others are told by `fork`.
+  // The joints from `first` down; where it forks, the longer branch goes on and `fork` gets the others.
   template <class Goes, class Fork>
   std::vector<size_t> chain_from(size_t first, Goes goes, Fork fork) {
     std::vector<size_t> joints = {first};
@@ -169,7 +169,7 @@ class SpringFinder {
     const auto goes = [&](size_t j) {
       return names_[j].certainty > 0 ? names_[j].kind == kind.kind : !is_stiff(j) && !is_body(verdicts_.classes[j]);
     };
-    // What several chains hang on is their base and holds still: one of them would turn all others.
+    // The common parent of several chains is their base and holds still: one of them would rotate all others.
     std::vector<size_t> begins;
     for (const int child : children(first))
       if (const size_t j = joint_index(child);
@@ -235,7 +235,7 @@ class SpringFinder {
     add(joints, kind, sure ? kSureShape : kUnsure,
         std::string("not part of the body, with a free end and skin off the ") + joint_class_text(on));
   }
-  // How many such chains hang on the same joint.
+  // How many such chains have the same parent.
   size_t unnamed_beside(size_t first) const {
     size_t count = 0;
     for (const int other : children(joint_index(c_.joints[first].parent))) {

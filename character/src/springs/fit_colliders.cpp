@@ -183,7 +183,7 @@ class BodyFitter {
     std::vector<int> keys(c_.joints.size(), -1);
     for (const size_t j : tree_.parents_first) {
       const int parent = c_.joints[j].parent;
-      if (swings_[j] != 0) continue;  // and what hangs on it
+      if (swings_[j] != 0) continue;  // and its descendants
       if (parent >= 0 && (swings_[joint_index(parent)] != 0 || keys[joint_index(parent)] == -2)) {
         keys[j] = -2;
         continue;

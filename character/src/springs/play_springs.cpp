@@ -77,7 +77,7 @@ class LoopPlayer {
         joints_.begin());
   }
 
-  // Equal poses at both ends; roots, and what hangs on them, such as hips below a joint for the floor, may have moved on.
+  // Equal poses at both ends; roots and their children, such as hips below a joint for the floor, may have moved on.
   bool is_loop(const Clip& clip) const {
     if (clip.frames.size() < 3) return false;
     const MotionFrame &a = clip.frames[0], &b = clip.frames.back();

@@ -12,7 +12,7 @@ namespace sinew {
 namespace {
 
 constexpr double kTurn = 6.283185307179586;
-constexpr size_t kBins = 72;  // of a turn
+constexpr size_t kBins = 72;  // of a full circle
 
 }  // namespace
 
@@ -25,7 +25,7 @@ double SectionCurve::covered_turn(const Point2& middle) const {
   std::array<uint8_t, kBins> bins{};
   for (const auto& segment : segments) {
     const double from = angle_of(segment[0] - middle), to = angle_of(segment[1] - middle);
-    double step = to - from;  // the short way round
+    double step = to - from;  // the shorter arc
     step -= std::round(step);
     const auto count = static_cast<size_t>(std::abs(step) * kBins) + 1;
     for (size_t i = 0; i <= count; ++i) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Horizontal cross-sections of a mesh as curves: where a plane cuts its surface, piece by piece that hangs together.
+// Horizontal cross-sections of a mesh as curves: the cuts of a plane with its surface, one curve per connected
+// component.
 #ifndef SINEW_SPRINGS_SECTIONS_HPP
 #define SINEW_SPRINGS_SECTIONS_HPP
 
@@ -16,7 +17,7 @@ namespace sinew {
 using Point2 = std::array<double, 2>;
 inline Point2 operator-(const Point2& a, const Point2& b) { return {a[0] - b[0], a[1] - b[1]}; }
 inline double length(const Point2& a) { return std::sqrt(a[0] * a[0] + a[1] * a[1]); }
-// The angle of a direction from the front over the left, in turns 0..1.
+// The angle of a direction from the front over the left, as a share of a full circle, 0..1.
 double angle_of(const Point2& direction);
 
 // A curve of a section: the cuts of triangles that share edges.
@@ -24,7 +25,7 @@ struct SectionCurve {
   std::vector<std::array<Point2, 2>> segments;
   std::vector<uint32_t> triangles;  // [segments] which triangle each cuts
 
-  // How much of a turn around `middle` the curve covers, 0..1.
+  // The share of a full circle around `middle` that the curve covers, 0..1.
   double covered_turn(const Point2& middle) const;
   // Mean distance of its segments' middles from `middle`, by their lengths.
   double mean_distance(const Point2& middle) const;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr size_t kFrames = 24;
 constexpr double kLeastWeight = 0.1;
-constexpr size_t kCells = 128;  // of the grid, each way
+constexpr size_t kCells = 128;  // of the grid, along each axis
 
 // Lines along one axis.
 class Lines {

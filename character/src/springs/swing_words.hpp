@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a joint's name says of swinging.
+// Words of a joint's name that mean swinging.
 #ifndef SINEW_SPRINGS_SWING_WORDS_HPP
 #define SINEW_SPRINGS_SWING_WORDS_HPP
 

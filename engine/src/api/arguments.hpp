@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the functions of the C API check alike, and their size queries.
+// Common checks of the functions of the C API, and their size queries.
 #ifndef SINEW_API_ARGUMENTS_HPP
 #define SINEW_API_ARGUMENTS_HPP
 
@@ -15,8 +15,8 @@ inline bool is_aligned(const void* memory) {
   return reinterpret_cast<uintptr_t>(memory) % SINEW_WORKSPACE_ALIGNMENT == 0;
 }
 
-// What run(Arena&), which only allocates in an arena without memory, would need. SINEW_ERROR_COUNT where that is more than a
-// size can say, else what it returns.
+// The bytes that run(Arena&) needs; it only allocates in an arena without memory. SINEW_ERROR_COUNT where that is
+// more than a size can say, else what it returns.
 template <class Run>
 sinew_status measure(size_t* size_bytes, Run run) {
   Arena arena;

@@ -34,7 +34,7 @@ sinew_status check_source_body(const sinew_motion_body& source, uint32_t joint_c
   return sinew::motion::check_body(same, joint_count);
 }
 
-// What calls on whole clips have in common.
+// The common part of calls on whole clips.
 sinew_status check_clip(const sinew_retarget* plan, const sinew_motion_body* source, const sinew_motion_body* target,
                         const sinew_motion_clip* clip, const void* workspace) {
   if (plan == nullptr || target == nullptr || clip == nullptr || workspace == nullptr ||

@@ -25,7 +25,7 @@ bool is_default_or_in(uint32_t value, uint32_t least, uint32_t most) {
   return value == 0 || (value >= least && value <= most);
 }
 
-// What can be said of the options without the model and the counts.
+// Checks the options without the model and the counts.
 sinew_status check_options(const sinew_bind_options& o) {
   if (o.symmetric > 1 || o.method > SINEW_METHOD_DISTANCE || o.influence_count > SINEW_MAX_INFLUENCES ||
       o.weights_in_place > 1 || o.thread_count > SINEW_MAX_THREADS || kernel_name(o.kernel) == nullptr ||

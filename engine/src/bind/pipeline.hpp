@@ -14,7 +14,7 @@
 
 namespace sinew {
 
-// What the stages leave in the workspace, in their order.
+// Results of the stages in the workspace, in their order.
 struct PreparedBind {
   Mesh mesh;
   Skeleton skeleton;
@@ -29,7 +29,7 @@ struct PreparedBind {
   const Mesh& surface() const { return kHasExtras && reduction.active ? reduction.mesh : mesh; }
 };
 
-// What prepare() is to make ready for.
+// Purposes of prepare().
 enum class PreparePurpose {
   kHeat,          // rows from the heat field: there are neither candidates nor features
   kDistance,      // the same, but with weights by distance instead of the network

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a bind has reported of its progress when a stage ends. A stage reports from where the one before it ended.
+// Progress that a bind has reported when a stage ends. A stage reports from where the one before it ended.
 #ifndef SINEW_BIND_PROGRESS_HPP
 #define SINEW_BIND_PROGRESS_HPP
 

@@ -69,8 +69,8 @@ void find_starts(const Skeleton& skeleton, const Vec3i* tips, const VoxelGrid& g
   }
 }
 
-// The cells a vertex reads, its own and those of the 2 x 2 x 2 block around it that are not outside, and its way from
-// their centers.
+// The cells a vertex reads, its own and those of the 2 x 2 x 2 block around it that are not outside, and its distance
+// from their centers.
 struct Around {
   uint32_t count;
   uint32_t cells[8];  // numbers in the propagation
@@ -82,7 +82,7 @@ struct Around {
     const int32_t low[3] = {grid.low.x, grid.low.y, grid.low.z};
     const int32_t strides[3] = {1, grid.size[0], grid.size[0] * grid.size[1]};
     int32_t own = 0, step[3];
-    uint64_t squares[3][2];  // of the way along an axis from the centers of the own and the other cell
+    uint64_t squares[3][2];  // of the distance along an axis from the centers of the own and the other cell
     for (int axis = 0; axis < 3; ++axis) {
       const int32_t at = grid.coordinate(axis, value[axis]);
       const int64_t offset = value[axis] - (low[axis] + at * grid.cell_size + grid.cell_size / 2);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr uint32_t kReportEvery = 1u << 16;  // labels passed on between two progress reports
 
-// What no label of a solid cell exceeds.
+// Upper bound of the labels of a solid cell.
 constexpr uint32_t kFarthest = make_label((1u << 17) - 1, kJointMask);
 
 // Bounds are distances in int16: those of a grid of 64 cells stay below 10,000. Where one does not fit, outside cells
@@ -249,7 +249,7 @@ void Propagation::offer_costly(uint32_t grid_index, uint32_t label, uint32_t dir
   }
 }
 
-// Of the ways on from a solid cell with outside cells around, reached by `arrival` from another solid cell, those that
+// The steps from a solid cell with outside cells around, reached by `arrival` from another solid cell, that
 // are left. costly: 1 when they lead outside.
 uint32_t Propagation::directions_beside(uint32_t directions, uint32_t solid, uint8_t arrival, uint32_t costly) const {
   const uint32_t* const others = beside_ + (2u * arrival + costly) * kStepCount;
@@ -261,8 +261,8 @@ uint32_t Propagation::directions_beside(uint32_t directions, uint32_t solid, uin
   return kept;
 }
 
-// Passes a label on to the neighbors that the ways lead to: `solid` from one solid cell to others, `costly` where one of
-// both is outside.
+// Passes a label on to the neighbors that the steps lead to: `solid` from one solid cell to others, `costly` where
+// one of both is outside.
 void Propagation::spread(const Cell& from, uint32_t label, uint8_t arrival, uint32_t solid, uint32_t costly) {
   if (arrival != kEverywhere) {
     if ((from.terrain & kSurface) == 0) {
@@ -282,7 +282,7 @@ bool Propagation::settle(const Progress& progress, uint32_t permille) {
   for (uint32_t round = 0; waiting_ > 0; ++round) {
     const uint32_t bucket = round & (kBuckets - 1);
     if (heads_[bucket] == 0) continue;
-    // Moves the bucket aside: cells whose turn is a whole round away go back into it.
+    // Moves the bucket aside: cells that are due a whole round later go back into it.
     heads_[kBuckets] = heads_[bucket];
     at(heads_[kBuckets]).last = kHead | kBuckets;
     heads_[bucket] = 0;
@@ -306,7 +306,7 @@ bool Propagation::settle(const Progress& progress, uint32_t permille) {
   return true;
 }
 
-// Makes every bound the largest of its own and the others less the way from there, outside throughout: a chamfer
+// Makes every bound the largest of its own and the others less the distance from there, outside throughout: a chamfer
 // distance transform in two passes (Borgefors 1986).
 void Propagation::spread_bounds() {
   const int32_t nx = grid.size[0], ny = grid.size[1], nz = grid.size[2];

@@ -20,7 +20,7 @@ constexpr uint32_t kOutsideFactor = 4;
 // hold any distance that is needed: joints lie within 2^22 of the origin, at most 887 cells of the box at the finest
 // grid, or 35,480; from there a straight walk of at most 128 outside steps adds 36,864, a late start 160, and a cell
 // cannot need more for its K-th label, because a cell that refuses a label on that walk is full of nearer ones that go
-// on in its stead. Longer ways, through a winding body, are not followed.
+// on in its stead. Longer paths, through a winding body, are not followed.
 constexpr int kJointBits = 12;
 constexpr uint32_t kJointMask = (1u << kJointBits) - 1;
 static_assert(SINEW_MAX_JOINTS <= kJointMask + 1, "a label's joint field is too small");
@@ -63,15 +63,15 @@ class Propagation {
 
  private:
   // The 26 steps to a cell's neighbors, x fastest. A label that came to a cell c by a step from p need not go on to a
-  // neighbor n that has a way from p beside c, straight or over one other cell q, that is shorter, or as long with a
+  // neighbor n that has a path from p beside c, straight or over one other cell q, that is shorter, or as long with a
   // shorter last step (the pruning rule of Harabor and Grastien 2011, "Online Graph Pruning for Pathfinding on Grid
-  // Maps", in three dimensions and with two terrains). Distances stay exact: among the shortest ways to n take one with
-  // the shortest last step; its last cell must offer to n.
+  // Maps", in three dimensions and with two terrains). Distances stay exact: among the shortest paths to n take one
+  // with the shortest last step; its last cell must offer to n.
   //   all cells around c solid    the label goes on straight ahead and along the axes of its step: 1, 3 or 7 offers
-  //   c outside                   the same, because no way from p to n is dearer than it would be outside throughout
+  //   c outside                   the same, because no path from p to n costs more than it would outside throughout
   //   c and p solid               which n are left depends on the terrain of n and of every q: beside_
   //   c solid, p outside          rare: 26 offers
-  // The border does not count as terrain: the other way lies between p and n.
+  // The border does not count as terrain: the other path lies between p and n.
   static constexpr uint8_t kStepCount = 26;
   static constexpr uint8_t kEverywhere = kStepCount;
   static constexpr uint32_t kAllSteps = (1u << kStepCount) - 1;

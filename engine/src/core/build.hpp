@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What a build has beside the bind itself. -DSINEW_PUBLISHED_METHODS=OFF leaves out the methods of sinew/published.h: calls that
+// Optional parts of a build. -DSINEW_PUBLISHED_METHODS=OFF leaves out the methods of sinew/published.h: calls that
 // ask for one return SINEW_ERROR_NOT_BUILT. -DSINEW_SMALL_CODE=ON leaves out, for microcontrollers: these; spectral features
 // (a model that asks for them is refused as of an unknown version), hints, symmetry, rigid_parts and surface_vertices
 // (SINEW_ERROR_NOT_BUILT; no mesh is reduced); threads (any thread_count works as 1 does, parallel_for is never called);
-// and kernels that want weights packed (weights_in_place is always on). Some sums are done the short way round in code
-// and the long way in time: quantization, Morton order, visibility. What is left gives the same bytes.
+// and kernels that want weights packed (weights_in_place is always on). Some computations take less code and more
+// time: quantization, Morton order, visibility. What is left gives the same bytes.
 #ifndef SINEW_CORE_BUILD_HPP
 #define SINEW_CORE_BUILD_HPP
 

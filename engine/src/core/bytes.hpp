@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// 1 where an int16 of the file may be read by a plain load. SINEW_PORTABLE_BYTES forces the other way, for tests.
+// 1 where an int16 of the file may be read by a plain load. SINEW_PORTABLE_BYTES forces 0, for tests.
 #if defined(SINEW_PORTABLE_BYTES)
 #define SINEW_PLAIN_INT16 0
 #elif defined(__BYTE_ORDER__) && defined(__ORDER_LITTLE_ENDIAN__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__

@@ -17,7 +17,7 @@ struct Threads {
   sinew_parallel_for parallel_for = nullptr;
   void* user = nullptr;
 
-  // What there is one of per lane; known to compilers where a build has no threads.
+  // Number of lanes; a constant in builds without threads.
   uint32_t lane_count() const { return kHasThreads ? lanes : 1; }
 
   // body(index, lane) for every index in [0, count). Lane l takes l, l + lanes, ...: fixed, so nothing is shared that

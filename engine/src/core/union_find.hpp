@@ -7,7 +7,7 @@
 
 namespace sinew {
 
-// parents: of each number one of its set that is not larger, itself for a root. Halves the way as it goes.
+// parents: of each number one of its set that is not larger, itself for a root. Halves the path on each search.
 inline uint32_t find_root(uint32_t* parents, uint32_t i) {
   while (parents[i] != i) {
     parents[i] = parents[parents[i]];

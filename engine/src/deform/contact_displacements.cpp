@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the lattice gives way to what touches: smooth displacements of its nodes.
+// Smooth displacements of the lattice's nodes away from contacts.
 #include "deform/contact_displacements.hpp"
 
 #include "deform/pins.hpp"

@@ -19,9 +19,9 @@ constexpr double kLongestPush = 0.35 * kCell;          // of a vertex
 constexpr double kDeep = kCell, kTooDeep = 2 * kCell;  // what lies deeper did not come in by touching
 constexpr double kShallow = 0.05 * kCell,
                  kSteep = 0.2 * kCell;            // between these the way out begins to tell its direction
-constexpr double kAcross = 0.3, kStraight = 0.8;  // cosine of the way out and the surface's normal
+constexpr double kAcross = 0.3, kStraight = 0.8;  // cosine of the direction out and the surface's normal
 constexpr double kBorne = 0.08;  // share of a push that neighbors have too, from which it counts in full
-constexpr double kLeastYield = 0.05 * (1 << kShareBits);  // of both sides together: bones cannot give way
+constexpr double kLeastYield = 0.05 * (1 << kShareBits);  // of both sides together: bones cannot yield
 constexpr int32_t kLongestCells = 6;                      // of a stretched tetrahedron
 constexpr double kLeastVolume = 0.1;                      // of a tetrahedron, against its volume at rest
 constexpr double kOnePlane = -0.99;                       // cosine of two half spaces of one bend
@@ -244,7 +244,7 @@ class ContactFinder {
     if (share <= 0) return;
     const Vec3d p = to_double(state_.positions[u]), direction = on - p;
     const Vec3d normal = unit(direction + (0.25 * kCell) * out);
-    // What lies inside at rest, as skin under a shirt, may stay so.
+    // Vertices inside at rest, such as skin under a shirt, may stay so.
     const Vec3d at_rest = to_double(surface_.positions[u]) - point.position;
     const double rest_depth = dot(at_rest, at_rest) < kApart * kApart ? -dot(at_rest, unit(point.outward)) : 0;
     const double depth = dot(direction, normal) - greater(rest_depth, 0);

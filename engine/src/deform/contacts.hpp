@@ -22,7 +22,7 @@ struct ContactState {
   uint32_t* offsets = nullptr;  // [B + 1]
   Bucket* buckets = nullptr;    // [B]
   uint32_t bucket_bits = 0;     // B = 2^bits
-  // What touches.
+  // Contacts by vertex.
   double* pushes = nullptr;     // [U] how far a vertex is to go, lattice units; 0 for one that touches nothing
   Vec3d* directions = nullptr;  // [U] where to: unit vectors
   double* borne = nullptr;      // [U] scratch

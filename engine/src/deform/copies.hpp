@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Cells of the lattice and their copies: what hangs together in a cell, and which copies of neighboring cells do.
+// Cells of the lattice and their copies: one copy per connected component in a cell, and the connected copies of
+// neighboring cells.
 #ifndef SINEW_DEFORM_COPIES_HPP
 #define SINEW_DEFORM_COPIES_HPP
 
@@ -44,7 +45,7 @@ Vec3i cell_coordinates(const VoxelGrid& grid, uint32_t cell);
 // Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
 sinew_status find_copies(const LatticeInput& input, const LatticeBounds& bounds, VoxelGrid* grid, RowSum* sum,
                          Arena& arena, Copies* copies);
-// Joins corners of copies that hang together and numbers the nodes by first appearance.
+// Merges corners of connected copies and numbers the nodes by first appearance.
 void join_corners(const VoxelGrid& grid, uint32_t most_nodes, Copies* copies);
 
 }  // namespace sinew::deform

@@ -10,7 +10,7 @@ namespace {
 constexpr int kRotationSteps = 12;
 
 // Rotation nearest to a matrix, from a start: M. Mueller, J. Bender, N. Chentanez, M. Macklin, "A Robust Method to Extract the
-// Rotational Part of Deformations", 2016; a step's turn is (1, w / 2) normalized, so that no sine is needed.
+// Rotational Part of Deformations", 2016; a step's rotation is (1, w / 2) normalized, so that no sine is needed.
 Quaternion nearest_rotation(const Vec3d* columns, Quaternion q) {
   for (int step = 0; step < kRotationSteps; ++step) {
     const Vec3d x = rotate(q, {1, 0, 0}), y = rotate(q, {0, 1, 0}), z = rotate(q, {0, 0, 1});

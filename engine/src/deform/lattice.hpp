@@ -63,7 +63,7 @@ struct Lattice {
 sinew_status find_lattice_bounds(const sinew_mesh& mesh, const GridQuantizer& quantizer, uint32_t cells_along,
                                  LatticeBounds* bounds, VoxelGrid* grid);
 
-// What a lattice is made of. Rows of welded vertices are those of the first vertex at their position.
+// Input of a lattice. Rows of welded vertices are those of the first vertex at their position.
 struct LatticeInput {
   const Mesh* mesh;
   const uint32_t* first_vertices;  // [U] the caller's first vertex at the position

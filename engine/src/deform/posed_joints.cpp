@@ -18,8 +18,8 @@ constexpr uint16_t kTold = 655;                            // weights of less th
 // Joints that swing by more than 148 degrees are overturned more and more, by 170 degrees wholly. Those that twist as well are from
 // 110 degrees on, and wholly by 150. Cosines of half angles.
 constexpr double kBeginSwung = 0.2756, kFullSwung = 0.0872, kBeginMixed = 0.5736, kFullMixed = 0.2588;
-// A turn whose swing is below 20 degrees is a twist, and one whose twist is below 20 a swing; from 50 degrees of the other on it
-// is wholly mixed. Sines of half angles.
+// A rotation whose swing is below 20 degrees is a twist, and one whose twist is below 20 a swing; from 50 degrees of
+// the other on it is wholly mixed. Sines of half angles.
 constexpr double kPure = 0.1736, kMixed = 0.4226;
 constexpr double kMostTwistShare = 0.27;
 
@@ -214,7 +214,7 @@ double row_overturn(const PosedJoints& posed, const uint16_t* joints, const uint
   double most = 0;
   for (uint32_t i = 1; i < n; ++i) {
     if (weights[i] <= kTold) continue;
-    // From the first joint and this one up to where their ways meet.
+    // From the first joint and this one up to their common ancestor.
     int32_t a = joints[0], b = joints[i];
     while (a != b && a >= 0 && b >= 0) {
       int32_t& below = skeleton[a].rank > skeleton[b].rank ? a : b;

@@ -28,7 +28,8 @@ struct PosedJoints {
 };
 
 // Reads a palette [J x 12]. Quaternions go with their parent's along the hierarchy, so that two joints that rotated by more than
-// 180 degrees against each other, by way of joints between them, blend as those do. Returns SINEW_OK or SINEW_ERROR_NOT_FINITE.
+// 180 degrees against each other, through joints between them, blend as those do. Returns SINEW_OK or
+// SINEW_ERROR_NOT_FINITE.
 sinew_status read_palette(const float* palette, PosedJoints* posed);
 
 // Whether joints move against each other.

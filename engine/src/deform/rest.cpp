@@ -20,7 +20,8 @@ namespace {
 
 constexpr uint32_t kFirstOptionsSize = offsetof(sinew_deform_options, body_contact) + sizeof(uint32_t);
 constexpr uint32_t kWithout = SINEW_WITHOUT_TWIST_SPREAD | SINEW_WITHOUT_CONTACTS | SINEW_WITHOUT_SMOOTHING;
-constexpr double kHingeCosine = -0.5;  // cosine between the ways to the parent and along the bone: hinges are below
+constexpr double kHingeCosine =
+    -0.5;  // cosine between the directions to the parent and along the bone: hinges are below
 
 sinew_status check_input(const RestInput& input, Counts* counts) {
   const sinew_mesh& mesh = input.mesh;
@@ -104,7 +105,7 @@ void copy_surface(const Mesh& mesh, DeformRest* rest) {
   memcpy(rest->col_indices, mesh.col_indices, sizeof(uint32_t) * mesh.row_offsets[mesh.welded_count]);
 }
 
-// An end marker may turn as it likes: nothing follows it.
+// An end marker may rotate freely: it has no children.
 void find_bound_joints(DeformRest* rest) {
   for (uint32_t j = 0; j < rest->joint_count; ++j) rest->skeleton[j].bound = 0;
   const size_t values = static_cast<size_t>(rest->vertex_count) * rest->influence_count;
@@ -116,7 +117,7 @@ void find_bound_joints(DeformRest* rest) {
   }
 }
 
-// What the arrays are filled from and with.
+// Fills the arrays from the input.
 struct Builder {
   const RestInput& input;
   const Counts counts;

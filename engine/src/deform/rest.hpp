@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a deformer knows of a character at rest: everything that poses are made from, in the caller's memory.
+// A deformer's data of a character at rest: all inputs of poses, in the caller's memory.
 #ifndef SINEW_DEFORM_REST_HPP
 #define SINEW_DEFORM_REST_HPP
 
@@ -42,11 +42,11 @@ struct DeformRest {
   RestJoint* skeleton = nullptr;  // [J]
   uint32_t* welded = nullptr;     // [V] welded vertex
   uint32_t* first = nullptr;      // [U] the caller's first vertex at a position
-  // Of a volume or published pose.
+  // For a volume or published pose.
   Lattice lattice;
   uint8_t* node_flags = nullptr;  // [n]
   uint8_t* rigid = nullptr;       // [U] 1: of a part that belongs to one joint and has no soft skin around it
-  // Of a pose with contact of the whole body.
+  // For a pose with contact of the whole body.
   SkinSurface surface;
   // For smoothing, as in Mesh, and whether a vertex has an edge of one triangle.
   uint32_t *triangles = nullptr, *row_offsets = nullptr, *col_indices = nullptr;
@@ -88,8 +88,8 @@ sinew_status pose_deformer(const DeformRest& rest, const float* palette, Arena& 
 // Uniform Laplacian smoothing of the surface, for delta mush and for the end of the published method.
 // Fills rest->border: vertices of edges with one triangle. edge_triangles [6 T] is scratch.
 void find_borders(uint8_t* edge_triangles, DeformRest* rest);
-// Half way to the mean of the neighbors, all at once; border vertices go to border neighbors alone. mask [U]: vertices that move,
-// null = all. scratch [U].
+// Moves vertices halfway to the mean of their neighbors, all at once; border vertices go to border neighbors alone.
+// mask [U]: vertices that move, null = all. scratch [U].
 void smooth(const DeformRest& rest, uint32_t rounds, const uint8_t* mask, Vec3d* scratch, Vec3d* positions);
 // Fills rest->smooth from the rest pose; its second half is scratch.
 void smooth_rest(DeformRest* rest);

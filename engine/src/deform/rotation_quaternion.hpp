@@ -10,8 +10,8 @@ struct QuaternionOf {
   Real w, x, y, z;
 };
 
-// Of a rotation, row-major 3x4, not yet of length 1 (Shepperd 1978): of the four squares 4w^2, 4x^2, 4y^2, 4z^2 the largest is at
-// least 1, so the division by the length is well conditioned.
+// The quaternion of a rotation, row-major 3x4, not normalized (Shepperd 1978): of the four squares 4w^2, 4x^2, 4y^2,
+// 4z^2 the largest is at least 1, so the division by the length is well conditioned.
 template <class Real>
 QuaternionOf<Real> long_rotation_quaternion(const Real* m) {
   const Real xx = m[0], yy = m[5], zz = m[10];

@@ -30,7 +30,7 @@ struct SkinSurface {
   uint32_t* nearest = nullptr;  // [n] vertex that is nearest to a node, along edges of the lattice; U for none
 
   bool allocate(Arena& arena, size_t vertices, size_t triangles, size_t nodes);
-  // Of a hub with more triangles only the first ones are used.
+  // Only the first triangles of a larger hub are used.
   uint32_t corners_end(uint32_t vertex) const {
     const uint32_t begin = corner_offsets[vertex], end = corner_offsets[vertex + 1];
     return end - begin > kMostCorners ? begin + kMostCorners : end;

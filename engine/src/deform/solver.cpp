@@ -8,7 +8,8 @@ namespace sinew::deform {
 namespace {
 
 constexpr uint32_t kWorthThreads = 2048;
-// A node keeps 0.8 of the way of its last round, at most a cell. 20 rounds reach what took more than 30.
+// A node keeps 0.8 of the step of its last round, at most a cell (momentum): 20 rounds converge as far as 30 without
+// it.
 constexpr int32_t kMomentum = 205;  // Q8
 
 void solve_point(const SolverPoint& point, SolverNode* nodes) {
@@ -25,7 +26,7 @@ void solve_point(const SolverPoint& point, SolverNode* nodes) {
   }
 }
 
-// Every node goes on in the way that it came since the last round's end.
+// Every node repeats its step since the last round's end.
 void add_momentum(bool on, uint32_t count, SolverState* state) {
   for (uint32_t n = 0; n < count; ++n) {
     SolverNode& node = state->nodes[n];

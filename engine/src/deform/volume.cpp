@@ -173,7 +173,7 @@ class VolumePose {
   }
 
   // Where all is pinned a vertex keeps its skinned position exactly; where all moves it goes with the lattice, which smooths it.
-  // What the rounded shares are off at rest is taken out.
+  // Subtracts the error of the rounded shares at rest.
   void map_back() {
     threads_.ranges(rest_.vertex_count, kPiece, [&](uint32_t begin, uint32_t end, uint32_t) { map_back(begin, end); });
   }

@@ -44,7 +44,7 @@ class KeptSkeleton {
 // A skeleton that faces between the axes is processed with its mesh rotated to y up and front +z.
 class TurnedSkeleton {
  public:
-  // Returns whether it has to be turned.
+  // Returns whether it has to be rotated.
   bool read(const sinew_rig_outputs& outputs) {
     turn_ = Turn::of(outputs.front, outputs.up == SINEW_UP_Z ? 1 : 0);
     return turn_.sine != 0 && turn_.cosine != 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a skeleton is given beyond its body: the stages of sinew_rig_details().
+// Details of a skeleton beyond its body: the stages of sinew_rig_details().
 #ifndef SINEW_DETAILS_DETAILS_HPP
 #define SINEW_DETAILS_DETAILS_HPP
 

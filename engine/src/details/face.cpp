@@ -9,7 +9,7 @@ namespace sinew::rigging {
 namespace {
 
 constexpr uint32_t kLeastBallVertices = 8;  // of a ball
-// Of a ball's box, percent: the middle extent and the smallest of the largest. Eyes often lack their back.
+// The middle and the smallest extent of a ball's box, percent of the largest. Eyes often lack their back.
 constexpr int64_t kRound = 70, kDeep = 25;
 // Below this the smallest extent is that of a ball that was cut.
 constexpr int64_t kWhole = 85;
@@ -190,7 +190,7 @@ Eyes find_eyes(const Mesh& mesh, const GivenSkeleton& s, uint32_t head, const He
   return eyes;
 }
 
-// Where a jaw turns, and the chin.
+// The pivot of the jaw, and the chin.
 struct Jaw {
   Vec3i at = {}, chin = {};
   bool found = false;
@@ -243,7 +243,7 @@ SINEW_RARE void add_face(const Face& face, const Units& units, uint32_t up_axis,
     joint.confidence = joint_class == SINEW_CLASS_EYE ? kEyeConfidence : kJawConfidence;
     append_joint(units, up_axis, joint, out);
   };
-  // Of a mirrored skeleton the right eye is the left one's image.
+  // In a mirrored skeleton the right eye is the left one's image.
   add("LeftEye", SINEW_CLASS_EYE, face.eyes.at[0], PointSide::kHere, head, left + 1);
   add("RightEye", SINEW_CLASS_EYE, face.eyes.at[mirrored ? 0 : 1], mirrored ? PointSide::kMirrored : PointSide::kHere,
       head, left);

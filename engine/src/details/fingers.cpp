@@ -10,8 +10,8 @@ namespace {
 constexpr uint32_t kSeeds = 8;
 constexpr uint32_t kLeastFingerProbability = 2500;  // Q15: 0.08
 constexpr int32_t kFingerReach = kVoteWidth * 5 / 2;
-// Of a joint: the weight around it, in parts of 10,000 of what all votes could weigh; and its share of the votes of its
-// class, each counted by its probability, Q15.
+// Limits of a joint: the weight around it, in parts of 10,000 of the largest possible weight of all votes; and its
+// share of the votes of its class, each counted by its probability, Q15.
 constexpr int64_t kLeastFingerMass = 10;
 constexpr int64_t kLeastShare = 3277;
 constexpr int32_t kLeastFingerBone = side_share(200);  // from joint to joint

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks of a caller's skeleton, and the way back from the grid.
+// Checks a caller's skeleton and converts it back from the grid.
 #include "details/given_skeleton.hpp"
 
 #include <string.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a point of a hand belongs to: the classes of a hands network, at the indices of JointClass.
+// Parts of a hand: the classes of a hands network, at the indices of JointClass.
 #ifndef SINEW_DETAILS_HAND_CLASS_HPP
 #define SINEW_DETAILS_HAND_CLASS_HPP
 

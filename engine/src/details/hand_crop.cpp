@@ -12,7 +12,7 @@ namespace {
 constexpr int kAxisBits = 28, kFineBits = 8;
 // The region that is cut out, percent of the hand's length.
 constexpr int64_t kBefore = 20, kBeyond = 140, kAside = 80;
-// What belongs to the hand comes that near to its axis.
+// Parts of the hand come that near to its axis.
 constexpr int64_t kCoreBefore = 10, kCoreBeyond = 100, kCoreAside = 30;
 
 Vec3i turned(Vec3i p, uint32_t quarters, bool right) {

@@ -16,9 +16,9 @@ struct HandPosition {
   bool right = false;
 };
 
-// From the mesh's grid to the hand's. The body is rotated to face +z, a right hand is mirrored, the way from elbow to
-// wrist is rotated to +x by the smallest rotation that does it, and the box of what was cut out comes to x >= 0, its
-// middle to y = z = 0, its longest side to kSide.
+// From the mesh's grid to the hand's. The body is rotated to face +z, a right hand is mirrored, the direction from
+// elbow to wrist is rotated to +x by the smallest rotation that does it, and the box of what was cut out comes to x
+// >= 0, its middle to y = z = 0, its longest side to kSide.
 struct HandFrame {
   Vec3i wrist = {0, 0, 0};
   uint32_t quarters = 0;
@@ -32,8 +32,8 @@ struct HandFrame {
   Vec3i from(Vec3i p) const;
 };
 
-// Of a mesh with V vertices and T triangles. `mesh` has positions and triangles alone, in the hand's grid; triangles
-// from surface_triangles on close holes, so that the voxels have an inside.
+// The hand of a mesh with V vertices and T triangles. `mesh` has positions and triangles alone, in the hand's grid;
+// triangles from surface_triangles on close holes, so that the voxels have an inside.
 struct HandCrop {
   Mesh mesh;
   HandFrame frame;

@@ -16,7 +16,8 @@ constexpr uint32_t kHandSets = 4;
 
 constexpr uint32_t kMostJoints = kMostGivenJoints;
 constexpr int16_t kNoMirror = -1;
-// A hand's length: so much of the way to its bone's end, percent, or of the forearm; never beyond these shares of it.
+// A hand's length: this share of the distance to its bone's end, percent, or of the forearm; never beyond these
+// shares of it.
 constexpr int64_t kOfEnd = 118, kOfForearm = 75, kLeastOfForearm = 30, kMostOfForearm = 200;
 
 constexpr char kFingerNames[kFingers][8] = {"Thumb", "Index", "Middle", "Ring", "Pinky"};
@@ -190,7 +191,7 @@ sinew_status run_hands(const RigPlan& plan, const sinew_mesh& mesh_input, const 
   if (status != SINEW_OK) return status;
   uint32_t hands = 0, count = 0;
   const uint32_t joints = outputs->joint_count;
-  // Of a mirrored pair the left one speaks for both.
+  // In a mirrored pair the left one counts for both.
   const auto is_asked = [&](uint32_t j) {
     if (!body.is_hand(j)) return false;
     const int32_t other = body.partner(j);

@@ -17,7 +17,7 @@ constexpr uint16_t kConfidence = 16384;
 
 int64_t squared(Vec3i v) { return dot(v, v); }
 
-// What one part is to one hand.
+// The relation of one part to one hand.
 struct Hold {
   int64_t nearest = INT64_MAX;  // squared, of its points to the hand's bone
   int64_t farthest = -1;        // squared, of its points from the hand's joint
@@ -54,7 +54,7 @@ bool has_hand_beside(const Mesh& mesh, uint32_t part, Vec3i elbow, Vec3i hand, i
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
     if (mesh.part[v] == part) continue;
     const Vec3i p = mesh.positions[v] - hand;
-    const int64_t forward = dot(p, along);  // forearm times the way beyond the wrist
+    const int64_t forward = dot(p, along);  // forearm times the distance beyond the wrist
     if (forward * 100 < forearm * forearm * kBeyondHand || forward > forearm * forearm) continue;
     const int64_t distance = forward / forearm, beside = forearm * kBeside / 100;
     if (squared(p) - distance * distance <= beside * beside) return true;

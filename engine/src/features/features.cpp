@@ -16,7 +16,7 @@ namespace {
 
 constexpr uint32_t kListedHeat = 1638;  // Q15, 5 %: a heat joint above it is always a candidate
 
-// What the vertex at work knows of a joint.
+// Data of a joint for the current vertex.
 struct JointEntry {
   uint32_t vertex;                       // 1 + the vertex that it is of; the rest is 0 for any other
   uint32_t distance;                     // 1 + the voxel candidate's, 0 where it is none
@@ -84,7 +84,7 @@ void list_bones(const Skeleton& skeleton, const Vec3i* tips, uint32_t* offsets, 
             [&](uint32_t joint, Vec3i head, Vec3i tail) { bones[offsets[joint + 1]++] = make_bone(head, tail); });
 }
 
-// What all lanes read, and the rows that they write.
+// Inputs of all lanes, and the rows that they write.
 struct Inputs {
   const Mesh& mesh;
   const Skeleton& skeleton;
@@ -344,7 +344,7 @@ class RowBuilder {
   PartTables& tables_;
   PartTableBuilder part_;
   JointEntry* entries_;
-  // Of the vertex at work:
+  // Of the current vertex:
   HeatRow rule_, parts_, soft_;
   uint32_t stamp_ = 0;
   uint16_t joints_[SINEW_MAX_CANDIDATES] = {};

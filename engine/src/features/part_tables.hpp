@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What one part as a whole thinks of each joint: its own heat, its host's, subtrees, boxes; and the channels that all of
-// its vertices share.
+// Features of each joint for one part as a whole: the part's heat, its host's, subtrees, boxes; and the channels that
+// all of its vertices share.
 #ifndef SINEW_FEATURES_PART_TABLES_HPP
 #define SINEW_FEATURES_PART_TABLES_HPP
 
@@ -11,7 +11,7 @@ namespace sinew::features {
 
 constexpr uint32_t kSmallPart = 256;  // vertices: parts below it are a lane's work each, larger ones all lanes'
 
-// What one part thinks of each joint, refilled part by part. One per lane lies in the workspace, whose size must not
+// Features of each joint for one part, refilled part by part. One per lane lies in the workspace, whose size must not
 // depend on the host's pointers: aligned to a multiple that both kinds fill.
 struct alignas(64) PartTables {
   int64_t* own = nullptr;      // [J] sum of rule weights over the part's vertices, Q15

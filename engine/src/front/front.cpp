@@ -13,7 +13,7 @@ namespace {
 constexpr uint64_t kFrontSeed = 7;
 constexpr uint32_t kFrontSets = 2;        // of points, whose answers are added up
 constexpr int64_t kHeadingOne = 1 << 28;  // of a Heading
-// What the file's own +z counts beside the network's answer, whose length is about 1 where it is sure; Q15.
+// Weight of the file's +z relative to the network's answer, whose length is about 1 if it is sure; Q15.
 constexpr int64_t kKnownFront = 11469, kUsualFront = 3277;
 // Logit in Q10 for y up: the logarithm of ten, because at least ten times as many files have it up as z.
 constexpr int32_t kUsualUp = 2358;

@@ -10,7 +10,7 @@
 
 namespace sinew::rigging {
 
-// What the network says of one candidate of up.
+// The network's output for one candidate of up.
 struct FrontAnswer {
   int64_t x = 0, z = 0;  // the front in the plane of the floor, Q15; its length is its certainty
   int32_t upright = 0;   // logit, Q10
@@ -40,7 +40,8 @@ struct Front {
 //   reach  how much farther the answer reaches to this end than to the other, Q15
 float front_likelihood(int64_t reach, bool mirrored);
 
-// Of a mesh in a grid with the caller's y up, or with find_up false with up_axis up. Returns as ask_front().
+// The front of a mesh in a grid with the caller's y up, or with up_axis up if find_up is false. Returns as
+// ask_front().
 sinew_status find_front(const FrontQuestion& question, const Kernels& kernels, const Mesh& mesh, Arena& arena,
                         Front* front);
 

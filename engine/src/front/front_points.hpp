@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the network of the front sees: points of the surface in a frame of their own, in which a mesh looks the same however it
-// is rotated about the upright axis.
+// Input of the front's network: points of the surface in a frame of their own, in which a mesh looks the same however
+// it is rotated about the upright axis.
 #ifndef SINEW_FRONT_FRONT_POINTS_HPP
 #define SINEW_FRONT_FRONT_POINTS_HPP
 
@@ -28,8 +28,8 @@ enum FrontChannel : uint32_t {
   kFrontChannels = 11
 };
 
-// What the network says of a point, Q10: how much its position in the floor's plane counts, how much its normal, and how much
-// the mesh looks upright (logit, base e).
+// The network's output for a point, Q10: how much its position in the floor's plane counts, how much its normal, and
+// how much the mesh looks upright (logit, base e).
 enum FrontOutput : uint32_t { kFrontPosition = 0, kFrontNormalShare = 1, kFrontUpright = 2, kFrontOutputs = 3 };
 // front = mean of kFrontPositionScale position x + kFrontNormalScale normal x; shares of the side.
 constexpr int kFrontPositionScale = 8, kFrontNormalScale = 2;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr uint32_t kAskedPoints = 512;
 constexpr uint32_t kAngles = 8, kPointRounds = 6, kVertexRounds = 5, kMostVertices = 1u << 15, kAskedVertices = 2048;
-// What a plane across the expected front costs beside one along it.
+// Cost of a plane across the expected front relative to one along it.
 constexpr int64_t kTurnCost = kSide / 50;
 // Tenths of the mirrored points that have to be near: of a mirrored mesh, then of a posed one.
 constexpr uint32_t kShares[2] = {9, 6};
@@ -199,7 +199,8 @@ bool find_mirror_angle(const Mesh& mesh, uint32_t up_axis, Heading expected, Are
   const SurfaceAxis axis = surface_axis(mesh, up_axis);
   Plane best;
   int64_t least = 0;
-  // Of a mesh that is its own image but for its pose, most of it still is: then a plane near the expected front will do.
+  // Most of a mesh that is symmetric but for its pose is still symmetric: then a plane near the expected front is
+  // accepted.
   for (const uint32_t tenths : kShares) {
     if (tenths != kShares[0] && expected.x == 0 && expected.z == 0) return true;
     for (const auto& angle : kTable) {  // from the axis, so that the same mesh is asked alike in every position

@@ -31,7 +31,7 @@ struct FrameScratch {
 
 int32_t coordinate(Vec3i p, int axis) { return axis == 0 ? p.x : p.z; }
 
-// Distance that nine of ten mirrored points keep within, and half the median way that they lack along the axis.
+// Distance that nine of ten mirrored points keep within, and half the median error along the axis.
 uint32_t mirror_error(const FrameScratch& s, int axis, int32_t plane, int32_t* lacking) {
   uint32_t count = 0;
   for (uint32_t i = 0; i < kAsked; ++i) {

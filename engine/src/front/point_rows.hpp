@@ -9,7 +9,7 @@
 
 namespace sinew::rigging {
 
-// What the network wants beside the points: one part, no candidates.
+// Other inputs of the network: one part, no candidates.
 struct PointRows {
   uint16_t* joints;  // [kSetPoints]
   uint32_t *part, *part_offsets, *part_vertices, *offsets;
@@ -33,7 +33,7 @@ struct PointRows {
     }
     for (uint32_t i = 0; i <= kSetPoints; ++i) offsets[i] = i * neighbors;
   }
-  // Of points without neighbors.
+  // The input for points without neighbors.
   NetworkInput input(const int16_t* features) const { return input(features, part_vertices, part_vertices); }
   NetworkInput input(const int16_t* features, const uint32_t* near_neighbors, const uint32_t* far_neighbors) const {
     NetworkInput input;

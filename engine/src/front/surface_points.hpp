@@ -26,9 +26,9 @@ inline int16_t feature(int64_t value) { return clamp16(value, -16384, 16383); }
 // reaches a random share between i / count and (i + 1) / count. The same seed gives the same points.
 void spread_points(const Mesh& mesh, uint32_t count, uint64_t seed, SurfacePoint* points);
 
-// Whether nearly all of the surface faces one way and the opposite one: a card, a terrain. The sum of the squares of the
-// eigenvalues of the normals' covariance is above 4/5 of the square of their sum then; it is 1/3 for a ball, 1/2 for a long
-// tube, at most 0.72 for 490 characters.
+// Whether nearly all of the surface faces one direction and its opposite: a card, a terrain. The sum of the squares
+// of the eigenvalues of the normals' covariance is above 4/5 of the square of their sum then; it is 1/3 for a ball,
+// 1/2 for a long tube, at most 0.72 for 490 characters.
 bool is_sheet(const SurfacePoint* points, uint32_t count);
 // A sheet's joints are no better than the middle line, however sure the votes are: no mesh of the training is one. Q16 of the side.
 constexpr uint16_t kSheetSpread = 6554;

@@ -13,7 +13,7 @@ struct Turn {
   float sine = 0, cosine = 1;
 
   bool nothing() const { return sine == 0 && cosine > 0; }  // the front is +z
-  // Of a direction in the caller's axes.
+  // The rotation for a front in the caller's axes.
   static Turn of(const float* front, uint32_t up_axis);
   // From the caller's axes to y up and front +z, and back.
   void to(const float* from, double* out) const;
@@ -21,7 +21,7 @@ struct Turn {
   void direction(float* out) const;  // of the front, the caller's axes
 };
 
-// A mesh with every position turned; the rest is the caller's.
+// A mesh with every position rotated; other arrays are the caller's.
 //   positions  out  [V x 3]
 sinew_mesh turn_mesh(const sinew_mesh& mesh, const Turn& turn, float* positions);
 

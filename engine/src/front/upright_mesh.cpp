@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options to a turn, found or given; the turned mesh to the grid.
+// Finds or takes the rotation of the options and builds the rotated mesh in the grid.
 #include "front/upright_mesh.hpp"
 
 #include "core/read_skeleton.hpp"

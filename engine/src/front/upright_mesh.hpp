@@ -7,7 +7,7 @@
 
 namespace sinew::rigging {
 
-// What the caller says of up and front.
+// The caller's options of up and front.
 struct FrontPlan {
   sinew_model model = {};  // without bytes: nothing is found
   NetworkOptions network;
@@ -23,19 +23,19 @@ struct FrontPlan {
 sinew_status plan_front(const sinew_rig_options& options, FrontPlan* plan);
 
 struct UprightMesh {
-  sinew_mesh mesh = {};  // the caller's, or with turned positions
+  sinew_mesh mesh = {};  // the caller's, or with rotated positions
   uint32_t up_axis = 0;  // of `mesh`
   GridQuantizer quantizer;
   Front front;
   bool known = false;  // the front was given, or found with certainty
 };
 
-// Builds the mesh in the grid, allocated beforehand. The turned positions stay in the arena. Returns what build_mesh() and
-// find_front() do, and SINEW_ERROR_NOT_FINITE.
+// Builds the mesh in the grid, allocated beforehand. The rotated positions stay in the arena. Returns what
+// build_mesh() and find_front() do, and SINEW_ERROR_NOT_FINITE.
 sinew_status stand_upright(const FrontPlan& plan, const sinew_mesh& input, const Counts& counts, const Kernels& kernels,
                            Arena& arena, Mesh* mesh, UprightMesh* upright);
 
-// What sinew_rig_outputs says of it, the skeleton facing along `quarters` of the upright mesh (MirrorFrame) with its plane at
+// Fills sinew_rig_outputs, the skeleton facing along `quarters` of the upright mesh (MirrorFrame) with its plane at
 // `plane` across that.
 void write_front(const UprightMesh& upright, uint32_t quarters, double plane, sinew_rig_outputs* outputs);
 

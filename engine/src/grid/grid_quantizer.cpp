@@ -103,7 +103,7 @@ WideInt wide_of(uint32_t word) {
   return mantissa < 0 ? subtract(wide_zero(), magnitude) : magnitude;
 }
 
-// floor(value / 2^(unit - 149)). False when it needs more than 60 bits. *exact turns false when bits were cut off.
+// floor(value / 2^(unit - 149)). False when it needs more than 60 bits. **exact becomes false when bits were cut off.
 bool short_of(uint32_t word, int unit, int64_t* out, bool* exact) {
   int64_t mantissa;
   int exponent;

@@ -31,17 +31,17 @@ struct GridQuantizer {
   uint32_t up_axis;
   WideInt side;  // longest side of the box in units of 2^-149; 1.0 for a box without extent
   WideInt sum[3];
-  // The short way for almost all values: the same numbers in 64 bits, floored to units of 2^(unit - 149).
+  // The fast path for almost all values: the same numbers in 64 bits, floored to units of 2^(unit - 149).
   int unit;
   int64_t short_side;
   int64_t short_sum[3];
-  bool short_ok[3];     // the axis fits the short way
+  bool short_ok[3];     // the axis fits the fast path
   bool short_exact[3];  // and nothing was cut off, side included
 };
 
 // Takes the box of all vertices. positions [count x 3]. Returns SINEW_OK or SINEW_ERROR_NOT_FINITE.
 sinew_status make_grid_quantizer(const float* positions, size_t count, uint32_t up_axis, GridQuantizer* quantizer);
-// Grid position of one point [3]; the point must be finite. up_axis 1 turns (x, y, z) to (x, z, -y).
+// Grid position of one point [3]; the point must be finite. up_axis 1 rotates (x, y, z) to (x, z, -y).
 Vec3i quantize_point(const GridQuantizer& quantizer, const float* position);
 // Whether all three coordinates are finite.
 bool is_finite_point(const float* position);

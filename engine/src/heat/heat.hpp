@@ -48,7 +48,7 @@ sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const uint8_
                         const Kernels& kernels, const Progress& progress, Arena& arena, HeatFields* fields,
                         const WorkBeside& beside = {});
 
-// Weights by distance alone, the published way instead of stage 4; the room `published` defines it.
+// Weights by distance alone, the published method instead of stage 4; the room `published` defines it.
 // Fills fields->field[kFieldRule] with weights by the inverse square of the distance to bones. The vertices that are
 // nearest to a bone are a sub-mesh: of the bones, its own, the one above it and those below it have weight there.
 // Neither the surface nor what lies between is used.

@@ -220,7 +220,7 @@ bool HeatSolver::keep_front(uint32_t batch, uint32_t first, uint32_t count, cons
     const size_t slots = static_cast<size_t>(ordering_.order[k]) * kHeatSlots;
     uint16_t* const joints = out->joints + slots;
     uint16_t* const weights = out->weights + slots;
-    // What rounds to less than the row's last weight is of no use; solutions are within +-4, so differences fit.
+    // Values that round to less than the row's last weight are dropped; solutions are within +-4, so differences fit.
     const int32_t last = weights[kHeatSlots - 1] > kSmallestHeat ? weights[kHeatSlots - 1] : kSmallestHeat;
     const int32_t below = last * (1 << kToQ15) - kHalf - 1;
     for (uint32_t rest = kernels_.above(x, below, &total_[k], &range); rest != 0; rest &= rest - 1) {

@@ -10,7 +10,7 @@
 
 namespace sinew {
 
-// What a lane has of its own to solve a batch of joints beside other lanes.
+// A lane's own data to solve a batch of joints in parallel.
 struct HeatLane {
   FrontSolve front;
   uint8_t* member_of = nullptr;  // [J] as HeatSolver's

@@ -25,7 +25,7 @@ struct Bone {
 struct BoneList {
   Bone* bones = nullptr;                // [J]
   int32_t *low[3] = {}, *high[3] = {};  // [J] boxes around the bones, a grid unit wider for the sake of rounding
-  // Of the vertex at hand, [J] for every lane: Euclid^2 in Q12, or a lower bound of it until `known` is 1.
+  // Of the current vertex, [J] for every lane: Euclid^2 in Q12, or a lower bound of it until `known` is 1.
   uint64_t* euclid2 = nullptr;
   uint8_t* known = nullptr;
   uint16_t* near = nullptr;  // [J] for every lane: those that may matter to the vertex, ascending
@@ -384,7 +384,7 @@ sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const uint
   tree.boxes_met = boxes_met;
   tree.build(mesh);
   list.build(skeleton, source_joints);
-  // What a finder knows of the vertex before it changes its time, never its answer.
+  // The previous vertex changes a finder's time, never its result.
   constexpr uint32_t kVertexPiece = 128;
   const uint32_t round = 1024 * counts.threads.lane_count();  // vertices between two reports
   for (uint32_t first = 0; first < mesh.welded_count; first += round) {

@@ -13,7 +13,7 @@ constexpr uint32_t kMaxTies =
 constexpr int kDistanceBits = 6;        // distances are grid units Q6
 constexpr int64_t kMinDistance = 3355;  // 5e-5 of the side
 
-// What is known of each vertex, for two metrics: 0 = Euclid / (0.5 (cos + 1.001)), which the rule and the parts field
+// Nearest bone of each vertex, for two metrics: 0 = Euclid / (0.5 (cos + 1.001)), which the rule and the parts field
 // use, and 1 = Euclid, which the soft field uses.
 struct HeatSources {
   uint16_t* ties[2] = {};           // [U x kMaxTies] joints tied for nearest, ascending; unused = kNoJoint

@@ -70,7 +70,7 @@ bool crosses_front_wide(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c) {
 
 bool crosses_front(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c) {
   const Vec3i d = target - start;
-  // Small builds have the one way that always holds: it costs 0.04 % of a bind and is 380 bytes less.
+  // Small builds have only the path that always works: it costs 0.04 % of a bind and is 380 bytes less.
   // Mesh points differ by at most 2^20 per axis, so cross products stay below 2^41 and the determinants below 3 * 2^61.
   if (kSmallCode || abs32(d.x) > kSide || abs32(d.y) > kSide || abs32(d.z) > kSide) {
     return crosses_front_wide(start, target, a, b, c);

@@ -35,8 +35,8 @@ struct FaceTree {
   bool allocate(Arena& arena, const Counts& counts);
   void build(const Mesh& mesh);
   // True when a face at a slot in [first, last) (outside = false) or at any other slot (outside = true), not incident
-  // to `vertex`, is crossed from its front on the way to `target`. *hint is a group to try first and receives that of
-  // the face that hides (kNoGroup to start with); it changes the time, never the answer.
+  // to `vertex`, is crossed from its front on the segment to `target`. *hint is a group to try first and receives
+  // that of the face that hides (kNoGroup to start with); it changes the time, never the answer.
   bool hidden(const Mesh& mesh, uint32_t vertex, Vec3i target, uint32_t first, uint32_t last, bool outside,
               uint32_t* hint) const;
 };

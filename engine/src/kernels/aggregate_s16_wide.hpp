@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-// What an instruction set brings ("Isa" below):
+// Members of an instruction set ("Isa" below):
 //   Int16                         a register of kWidth int16
 //   load(int16*), store(int16*, Int16), largest(Int16, Int16)
 //   Sums                          kWidth int32

@@ -16,7 +16,7 @@ constexpr int32_t kCellUnits = 1 << kCellBits;  // edge of a cell in lattice uni
 // 2^38 and of three, once shifted, below 2^42. Nodes lie within 2^29.
 constexpr int32_t kLongEdge = 32 * kCellUnits, kLongSide = 16 * kCellUnits;
 constexpr int64_t kSmallVolume = int64_t{1} << (2 * kCellBits);  // six volumes of a corner tetrahedron, >> 14
-// Tetrahedra that are flat give way: 0.2 of the cell's edge to the fourth, in units of six times the gradients.
+// Flat tetrahedra yield: 0.2 of the cell's edge to the fourth, in units of six times the gradients.
 constexpr int64_t kLeastDenominator = 36 * (int64_t{1} << (2 * kCellBits)) / 5;
 constexpr int64_t kLongestStep = kCellUnits / 4;
 constexpr int kRatioBits = 18;

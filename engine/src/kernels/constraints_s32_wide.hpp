@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Several soft edges or hard volumes at once, for all registers. Sums and products are integers below 2^53 in doubles, so exact. A quotient of two that
-// are below 2^52, cut to an integer, and a root of one, are too, whatever way the processor rounds. Where a number may be larger, the
-// reference takes over.
-// A file that is compiled with an instruction set's flags includes this and says what a register is, of kWidth entries:
+// are below 2^52, cut to an integer, and a root of one, are too, whatever the processor's rounding mode. Where a
+// number may be larger, the reference takes over. A file that is compiled with an instruction set's flags includes
+// this and says what a register is, of kWidth entries:
 //   kRunFlag                    of entries that begin a run of so many
 //   Real, all(double), add, subtract, times, divide, root, floored, cut (toward zero), magnitude, larger (of two Reals)
 //   Int                         int32; load(from), store(to, Int), sum, difference, within(Int, most) (-most to most), whole(Real) of an integer, real(Int)
@@ -76,7 +76,7 @@ SINEW_INLINE void step(Ints<Isa>* p, typename Isa::Real scaled, const Reals<Isa>
   p->z = Isa::sum(p->z, way(g.z));
 }
 
-// What the lanes of a mask leave is done by the reference.
+// The reference does the remaining lanes of a mask.
 template <class Isa, class List, class One>
 SINEW_INLINE void finish(typename Isa::Mask usual, const List& list, uint32_t first, const One& one) {
   for (uint32_t lane = 0, odd = Isa::kLanes ^ Isa::bits(usual); odd >> lane != 0; ++lane) {

@@ -27,7 +27,7 @@ void front_update_ref(const int32_t* g, size_t stride, uint32_t pivots, uint32_t
 void front_multiply_ref(const int32_t* g, size_t next, size_t step, uint32_t terms, const int32_t* scaled,
                         int64_t* sums);
 
-// What the solves of one front read and write, all by position. A row of the front holds x scaled, by
+// Inputs and outputs of the solves of one front, all by position. A row of the front holds x scaled, by
 // 2^(exponents[position] - exponent).
 struct FrontRows {
   int exponent;             // the largest of the front's positions; at most 24 above the others

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the factorisation's solves do with rows of kFrontBatch numbers, in plain loops that a compiler turns into
+// Operations of the factorization's solves on rows of kFrontBatch numbers, in plain loops that a compiler turns into
 // whatever registers the including file is compiled for. Included by the reference and by every instruction set's file.
 #ifndef SINEW_KERNELS_FRONT_S32_ROWS_HPP
 #define SINEW_KERNELS_FRONT_S32_ROWS_HPP

@@ -12,7 +12,7 @@
 namespace sinew {
 namespace {
 
-// What an instruction set brings ("Isa" below):
+// Members of an instruction set ("Isa" below):
 //   Int32                      a register of kWidth int32 sums; kWidth divides kPackOutputs
 //   kRows[c]                   rows of the widest tile for c groups of outputs (c = 1 .. kGroups), chosen so that sums,
 //                              weights and one input fit the registers

@@ -26,18 +26,18 @@ void fill_reference(Kernels* kernels) {
   kernels->boxes_met = boxes_met_ref;
 }
 
-// What the three x86-64 kernels share.
+// Common part of the three x86-64 kernels.
 bool add_x86_rest(Kernels* kernels) {
   return add_linear_in_place_s16_avx2(kernels) && add_aggregates_s16_avx2(kernels);
 }
 
-// What the kernels for avx2 and avxvnni share beyond that.
+// Common part of the kernels for avx2 and avxvnni.
 bool add_avx2_rest(Kernels* kernels) {
   return add_x86_rest(kernels) && add_front_s32_avx2(&kernels->front) && add_boxes_s32_avx2(&kernels->boxes_met) &&
          add_softmax_s16_avx2(&kernels->softmax);
 }
 
-// What vnni has beside its linear layer.
+// The vnni kernels besides the linear layer.
 bool add_avx512_rest(Kernels* kernels) {
   return add_x86_rest(kernels) && add_means_s16_avx512(kernels) && add_front_s32_avx512(&kernels->front) &&
          add_boxes_s32_avx512(&kernels->boxes_met) && add_softmax_s16_avx512(&kernels->softmax);

@@ -16,8 +16,8 @@ using LinearKernel = void (*)(const LinearView& linear, RowsView in, RowsView re
 // sums[r][n] = bias[n] + products of linear.packed.ranges' columns, n below padded_outputs(); class N only.
 using LinearSumsKernel = void (*)(const LinearView& linear, RowsView in, uint32_t rows, int32_t* sums);
 
-// What an instruction set has no variant of is the reference. Lives on the caller's stack: there is no table that
-// several threads would have to agree on.
+// Entries without a variant for an instruction set are the reference. Lives on the caller's stack: there is no table
+// that several threads would have to agree on.
 struct Kernels {
   uint32_t id = SINEW_KERNEL_REF;          // sinew_kernel
   LinearKernel linear = nullptr;           // reads the model's bytes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a rig's parts are, by its joints' positions: sides, limbs, legs, trunk, arms, head. The source of the method is named
+// Parts of a rig by its joints' positions: sides, limbs, legs, trunk, arms, head. The source of the method is named
 // in engine/src/mapping/README.md.
 #ifndef SINEW_MAPPING_ANATOMY_HPP
 #define SINEW_MAPPING_ANATOMY_HPP
@@ -8,7 +8,7 @@
 
 namespace sinew::mapping {
 
-// What limbs are compared by, see limb_features.cpp.
+// Features by which limbs are compared, see limb_features.cpp.
 struct LimbFeatures {
   double attach = 0;      // position on the line hips (0), chest (1), head (2)
   double log_length = 0;  // against the torso's
@@ -28,7 +28,7 @@ struct Anatomy {
   double* height = nullptr;                    // [n] along up
   int8_t* side = nullptr;                      // [n] 1, -1, or 0 = central: trunk, tail, jaw
   int32_t side_limbs = 0;                      // limbs [0, side_limbs) are attached to the torso
-  int32_t* limb_head = nullptr;                // [n] first of the limbs that hang there, -1 = none
+  int32_t* limb_head = nullptr;                // [n] first of the limbs attached to the joint, -1 = none
   int32_t* limb_next = nullptr;                // [kMostSideLimbs]
   int32_t others_first = 0, others_count = 0;  // limbs in the plane beside the spine: tail, jaw
   double ground = 0, tall = 1;                 // lowest height and extent along up
@@ -49,13 +49,13 @@ struct Anatomy {
   int32_t line_count = 1;
   double sure = 0;  // votes for the sign of front
 
-  int8_t* path_open = nullptr;       // [n] scratch: on a way from the hips through the plane
+  int8_t* path_open = nullptr;       // [n] scratch: on a path from the hips through the plane
   LimbFeatures* features = nullptr;  // [kMostLimbs]
   uint32_t* hashes = nullptr;        // words of limbs
   int32_t hashes_used = 0;
 
   bool allocate(Arena& arena, uint32_t joints);
-  // Everything. `up` null: guessed. `flip`: front is the other way than it seems.
+  // Everything. `up` null: guessed. `flip`: front is opposite to the one found.
   bool build(const Hierarchy& hierarchy, const Point* up, bool flip, Arena& arena);
 
   const Point& at(int32_t joint) const { return rig->at[joint]; }
@@ -69,11 +69,11 @@ struct Anatomy {
   }
   // Where the fingers of a hand begin.
   Point wrist(const Limb& limb) const { return limb.has_hand ? limbs.last_point(limb) : at(limbs.last_joint(limb)); }
-  // Of the limbs `fingers`, the thumb: its joints lie nearest to the wrist and it points away from the others.
+  // The thumb among the limbs `fingers`: its joints lie nearest to the wrist and it points away from the others.
   int32_t thumb(const Limb& limb, const int32_t* fingers, int32_t count) const;
   // Position on the torso's line; the line goes on beyond its ends.
   double trunk_position(const Point& p) const;
-  // Of a possible head, how far it is from the arms against the hips.
+  // Distance of a possible head from the arms relative to that from the hips.
   double head_ratio(int32_t spine_index) const;
 
  private:
@@ -109,7 +109,7 @@ struct Anatomy {
   void leave_out_arms();
   bool are_fins() const;
   int32_t common_attach(const LimbPair& pair) const;
-  // Marks what lies on ways from the hips through the plane to a leaf, end markers aside.
+  // Marks joints on paths from the hips through the plane to a leaf, end markers aside.
   void open_paths();
   bool is_path_end(int32_t joint) const;
   double path_length(int32_t leaf) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Row after row enters by the shortest way of exchanges; prices of rows and columns keep all other costs at least 0.
+// Row after row enters by the shortest augmenting path; prices of rows and columns keep all other costs at least 0.
 #include "mapping/assignment.hpp"
 
 namespace sinew::mapping {

@@ -135,7 +135,7 @@ bool Anatomy::is_on_face(int32_t number) const {
   return part == Part::kHead || part == Part::kJaw || part == Part::kHair;
 }
 
-// What is short and hangs where the spine ends: a bird's whiskers.
+// Short branches at the end of the spine: a bird's whiskers.
 bool Anatomy::is_at_end(int32_t number) const {
   return leg_count > 0 && spine_count > 3 && limb(number).attach == spine[spine_count - 1] &&
          limb(number).length < 0.25 * limb(hip_pair.a).length;

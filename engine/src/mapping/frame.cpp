@@ -30,7 +30,7 @@ struct Sibling {
   }
 };
 
-// Axes, then the ways between siblings that carry about as much, those that carry most first.
+// Axes, then the directions between siblings with subtrees of about equal size, largest first.
 struct NormalFinder {
   const Hierarchy& rig;
   Point* middle;     // [n] mean position of a subtree
@@ -171,7 +171,7 @@ struct MirrorScore {
         }
       }
       if (j < 0 || j == i || !(off * (along[j] - o) < 0)) {
-        // What is alone should lie in the plane.
+        // Joints without a sibling should lie in the plane.
         if (absolute(off) > kAlone * rig.size) sum -= kAlonePrice;
         continue;
       }

@@ -35,7 +35,7 @@ double Anatomy::path_length(int32_t leaf) const {
 }
 
 double Anatomy::path_names(int32_t leaf) const {
-  if (!rig->has_names || leg_count == 0) return 0;  // without legs the longest way counts, head or tail
+  if (!rig->has_names || leg_count == 0) return 0;  // without legs the longest path counts, head or tail
   bool is_head = false, is_trunk = false, is_tail = false, is_face = false;
   for (int32_t i = leaf; i != hip; i = rig->parent[i]) {
     const Part w = rig->part(i);
@@ -123,7 +123,7 @@ class FrontVotes {
       top = greater(top, a_.height[i]);
       inner += a_.is_inner(a_.ahead(a_.at(i)), first_leg_, last_leg_) ? 1 : 0;
     }
-    // Of insects the abdomen is longer and higher than the head, which carries jaws and feelers.
+    // Insects have an abdomen longer and higher than the head, which carries jaws and feelers.
     if (a_.leg_count > 2) return 20 * limbs + 0.3 * a_.path_length(leaf) / size_ + a_.path_names(leaf);
     double weight = limbs * 3 / greater(1, root(rig_.n)) + 0.3 * a_.path_length(leaf) / size_ +
                     0.6 * (top - a_.height[a_.hip]) / size_;
@@ -305,7 +305,7 @@ class FrontVotes {
     }
   }
 
-  // What is small and paired, or in the plane, on the upper half of the spine lies ahead of it.
+  // Small joints on the upper half of the spine, paired or in the plane, lie in front of it.
   void faces() {
     const bool tail = a_.leg_count == 0 && named_tail() > 0;  // the spine in hand leads away from the head
     for (int32_t k = a_.spine_count / 2; k < a_.spine_count && !tail; ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What branches off limbs that belong together: fingers by their order from the thumb, their joints by the way from the
+// Matches branches of paired limbs: fingers by their order from the thumb, their joints by the distance from the
 // wrist.
 #include "core/eigenpairs.hpp"
 #include "mapping/matcher.hpp"
@@ -44,8 +44,8 @@ Part finger_word(const Anatomy& rig, int32_t finger) {
   return Part::kNone;
 }
 
-// What branches off a limb. Where two fingers share a bone of the palm, as ring and little finger of some captures do, it is they that
-// count. Returns how many there are.
+// Branches of a limb. Where two fingers share a bone of the palm, as ring and little finger of some captures do, it
+// is they that count. Returns how many there are.
 int32_t gather_fingers(const Anatomy& rig, const Limb& limb, int32_t* list) {
   int32_t count = 0;
   rig.limbs.each_sub(limb, [&](int32_t t) {
@@ -84,7 +84,7 @@ void Matcher::match_twists(const Limb& a, const Limb& b, int32_t* fa, int32_t* n
 }
 
 void Matcher::match_all_fingers() {
-  for (int32_t k = 0; k < finger_pairs_; ++k) {  // more come on the way
+  for (int32_t k = 0; k < finger_pairs_; ++k) {  // the count grows in the loop
     const Limb &a = a_->limb(fingers_[k].a), &b = b_->limb(fingers_[k].b);
     int32_t fa[kMostFingers], fb[kMostFingers];
     int32_t na = gather_fingers(*a_, a, fa), nb = gather_fingers(*b_, b, fb);
@@ -195,7 +195,7 @@ void Matcher::match_hand(const Limb& a, const Limb& b, const int32_t* fa, int32_
   }
 }
 
-// Joints of two fingers by their way from the wrist, whatever their size.
+// Joints of two fingers by their distance from the wrist, whatever their size.
 void Matcher::match_finger(int32_t x, int32_t y, const Limb& a, const Limb& b) {
   const Limb &fx = a_->limb(x), &fy = b_->limb(y);
   const int32_t n = fx.joint_count, m = fy.joint_count;

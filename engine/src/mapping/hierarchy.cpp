@@ -5,7 +5,7 @@
 namespace sinew::mapping {
 namespace {
 
-constexpr int kMostFarBones = 64;   // that are looked at
+constexpr int kMostFarBones = 64;   // that are considered
 constexpr int32_t kApartShare = 8;  // at most one joint of so many is no part of the body
 
 bool is_finite(double a) { return a - a == 0; }
@@ -157,7 +157,7 @@ bool Hierarchy::join_roots() {
 }
 
 void Hierarchy::find_body() {
-  // Of joints whose positions in `order` are in [from, to), or of those whose are not.
+  // Bounds of the joints whose positions in `order` are in [from, to), or of all others.
   const auto box_of = [&](bool inside, int32_t from, int32_t to) {
     Box box;
     for (int32_t k = 0; k < n; ++k)

@@ -24,7 +24,7 @@ struct Hierarchy {
   int32_t* position = nullptr;     // [n] index in order
   int32_t* depth = nullptr;        // [n] 0 for roots
   int32_t* count = nullptr;        // [n] joints of the subtree
-  double* reach = nullptr;         // [n] longest way down
+  double* reach = nullptr;         // [n] longest path down
   uint8_t* end = nullptr;          // [n] only marks the end of a bone
   uint8_t* apart = nullptr;  // [n] farther from the body than the body is large: a root that stays where a stage begins
   JointName* names = nullptr;  // [n] what names say
@@ -91,7 +91,8 @@ bool is_same_rig(const sinew_skeleton& target, const sinew_skeleton& source, con
                  const Hierarchy& other, int32_t* sources, int32_t* targets);
 
 // The same of rigs under other names: every joint has as many children, which lie from it as the other's do, up to 30 % of a bone, both
-// rigs in one size and turned alike; and no name says another side, nor one of ten another part. Then sources [target n] is whole. targets as above.
+// rigs of one size and orientation; and no name says another side, nor one of ten another part. Then sources [target
+// n] is whole. targets as above.
 bool is_same_shape(const Hierarchy& own, const Hierarchy& other, int32_t* sources, int32_t* targets);
 
 }  // namespace sinew::mapping

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Joints of two limbs side by side: arms and legs by the ends of their long bones, others by their way.
+// Joints of two limbs side by side: arms and legs by the ends of their long bones, others by their length along the
+// limb.
 #include "mapping/matcher.hpp"
 
 namespace sinew::mapping {
@@ -66,7 +67,7 @@ void Matcher::find_landmarks(const Anatomy& rig, int32_t number, bool leg, doubl
         // A clavicle leads outwards; what already begins out there is the upper arm.
         if (!leg && !rig.frame.posed && a > 0 && t[a] - t[0] > 0.06 * whole)
           score += 1.5 * greater(0, 0.5 - (off(a) - off(0)) / (t[a] - t[0]));
-        // Of joints on one spot the last begins the bone, the first ends it.
+        // Among joints at one position the last begins the bone, the first ends it.
         if (a + 1 < b && t[a + 1] - t[a] < 0.06 * whole) score += 0.4;
         if (c - 1 > b && t[c] - t[c - 1] < 0.03 * whole) score += 0.4;
         if (leg && c < real && dot(point(c - 1) - point(c), up) < 0.6 * distance(point(c - 1), point(c))) score += 0.8;
@@ -90,7 +91,7 @@ void Matcher::find_landmarks(const Anatomy& rig, int32_t number, bool leg, doubl
   }
 }
 
-// What is alike on both sides is decided once for both: the mean of their scores.
+// Both sides are decided together: by the mean of their scores.
 //   t      out  as of find_landmarks()
 //   other  scratch of the same size
 void Matcher::find_pair_landmarks(const Anatomy& rig, int32_t number, bool leg, double* t, double* other,
@@ -175,7 +176,7 @@ void Matcher::match_limbs(int32_t la, int32_t lb, bool leg, bool arm, double cos
       if (j >= 0) put(joint_a(i), joint_b(j), own_cost(i, j));
     }
   } else {
-    // A chain in the plane begins where it hangs.
+    // A chain in the plane begins at its parent.
     const auto positions = [](const Anatomy& rig, const Limb& limb, double* out) {
       const Point* const points = rig.limbs.points + limb.first_point;
       add_up_lengths(points, limb.point_count, limb.attach >= 0 && limb.side == 0 ? rig.at(limb.attach) : points[0],

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which pairs of limbs are legs, feet that hang elsewhere, and the joint that carries the legs.
+// Finds the pairs of limbs that are legs, feet with other parents, and the joint that carries the legs.
 #include "mapping/anatomy.hpp"
 
 namespace sinew::mapping {
@@ -158,7 +158,7 @@ void Anatomy::find_short_legs() {
   if (best >= 0) legs[0] = pairs[best];
 }
 
-// Where the legs hang that hang highest; without legs the first joint on the plane that branches.
+// The joint where the highest legs begin; without legs the first joint on the plane that branches.
 void Anatomy::find_hip() {
   hip_pair = LimbPair();
   hip = -1;
@@ -181,7 +181,7 @@ void Anatomy::find_hip() {
   if (hip < 0) hip = rig->first_root();
 }
 
-// A pelvis that carries the legs, perhaps a tail, and hangs beside the spine: the hips are what carries both.
+// A pelvis that carries the legs, perhaps a tail, and is a sibling of the spine: the hips are what carries both.
 void Anatomy::climb_to_trunk() {
   const Hierarchy& r = *rig;
   const auto leads_on = [&](int32_t joint, int32_t but) {  // to a torso with limbs: how many joints these have
@@ -203,7 +203,7 @@ void Anatomy::climb_to_trunk() {
     if (above >= 0 && side[above] == 0 && r.bone(above, hip) < 0.01 * r.size && leads_on(above, hip) > own) hip = above;
     return;
   }
-  // With something in the plane of its own, which may be a tail, it gives way to a joint at the same position alone.
+  // With something in the plane of its own, which may be a tail, it yields only to a joint at the same position.
   const double near = central > 0 && !quad ? 0.05 * r.size : r.size;
   int32_t from = hip;
   for (int32_t up = r.parent[hip]; up >= 0 && side[up] == 0; up = r.parent[up]) {
@@ -235,7 +235,7 @@ void Anatomy::climb_to_chest() {
   }
 }
 
-// Feet that hang under an IK root go on where a leg ends.
+// Feet below an IK root continue a leg at its end.
 void Anatomy::join_feet() {
   int32_t kept = 0;
   for (int32_t f = 0; f < foot_count; ++f) {

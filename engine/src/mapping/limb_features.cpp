@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What limbs are compared by: where they hang, how long they are, where they point, what they are called.
+// Features by which limbs are compared: attachment, length, direction, names.
 #include "mapping/anatomy.hpp"
 
 namespace sinew::mapping {

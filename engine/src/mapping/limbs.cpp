@@ -162,7 +162,7 @@ void Limbs::follow(const Hierarchy& rig, const int8_t* side, int32_t number) {
     i = next;
   }
   limb.point_count = limb.joint_count;
-  // What branches off, in the order of the chain.
+  // Branches in the order of the chain.
   int32_t tail = -1;
   for (int32_t k = 0; k < limb.joint_count; ++k) {
     const int32_t j = joint(limb, k), next = k + 1 < limb.joint_count ? joint(limb, k + 1) : -1;
@@ -198,7 +198,7 @@ void Limbs::follow(const Hierarchy& rig, const int8_t* side, int32_t number) {
 }
 
 void Limbs::grow(const Hierarchy& rig, const int8_t* side, int32_t from) {
-  for (int32_t k = from; k < count; ++k) follow(rig, side, k);  // `count` grows on the way
+  for (int32_t k = from; k < count; ++k) follow(rig, side, k);  // `count` grows in the loop
 }
 
 void Limbs::append(int32_t number, int32_t foot) {

@@ -67,7 +67,7 @@ struct Limbs {
     return n;
   }
 
-  // Whether the limb `sub` begins on one of a chain's long bones: it only turns with it.
+  // Whether the limb `sub` begins on one of a chain's long bones: it only rotates with it.
   bool is_twist(const Limb& limb, int32_t sub) const;
   // A limb that begins at `joint`, without its chain yet. -1 when there is no room.
   int32_t begin(const Hierarchy& rig, int32_t joint, int8_t side, int32_t attach);

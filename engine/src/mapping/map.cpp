@@ -101,7 +101,8 @@ double unlikeness(const Hierarchy& target, const Hierarchy& source, const int32_
   return static_cast<double>(alone) / (all > 0 ? all : 1);
 }
 
-// Takes out joints whose names contradict those of their sources, puts pins in, and takes out what shares a source with another joint or crosses the way of one.
+// Takes out joints whose names contradict those of their sources, puts pins in, and takes out what shares a source
+// with another joint or crosses the path of one.
 class Cleaner {
  public:
   Cleaner(const Hierarchy& target, const Hierarchy& source, const Pins& pins, int32_t* sources, uint8_t* reasons,

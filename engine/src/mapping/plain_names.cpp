@@ -75,7 +75,7 @@ Region region_of(const JointName& name) {
 }  // namespace
 
 bool contradict(const JointName& a, const JointName& b) {
-  // Half a forearm, or a bone that shares its turn, is no hand.
+  // Half a forearm, or a bone that shares its rotation, is no hand.
   const auto twist_for_end = [](const JointName& twist, const JointName& end) {
     return twist.has(names::kTwist | names::kHalf) && (end.plain == Part::kHand || end.plain == Part::kFoot);
   };

@@ -22,7 +22,7 @@ void weld(const sinew_mesh& input, const GridQuantizer& quantizer, const MortonS
 }
 
 // Walks the fan triangles of a polygon mesh in welded indices, smallest first, degenerate ones left out. A face that is
-// read backwards has its fan around its last corner, as a file has it whose every face is written the other way.
+// read backwards has its fan around its last corner, as in a file with every face in opposite order.
 class FanWalk {
  public:
   // inward [parts]: faces of which parts are read backwards; without, `backwards` holds for all.
@@ -76,7 +76,7 @@ int64_t high_of(Vec3l sum) { return sum.x + (sum.y >> 32); }
 int64_t size_of(int64_t v) { return v ^ (v >> 63); }
 
 // Finds the parts whose faces are rotated inwards, true when there is one. volumes [parts]: scratch. The answer for a
-// mesh whose every face is written backwards is the opposite one: the sums have every face's fan both ways.
+// mesh with every face in opposite order has the opposite one: the sums have every face's fan in both orders.
 bool find_inward(const sinew_mesh& input, const Mesh& mesh, Vec3l* volumes, uint8_t* inward) {
   // A cavity inside of a robot's link is rotated inwards on purpose. The largest of 490 characters has a 200,000th of the
   // whole's volume, and a mirrored glove a 500th.

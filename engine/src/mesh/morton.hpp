@@ -38,8 +38,8 @@ inline uint32_t gather_bits(uint64_t key) {
   return static_cast<uint32_t>(v);
 }
 // Mesh coordinates are x, z in [-2^19, 2^19] and y in [0, 2^20]; the shift makes all of them non-negative. A third of the side more
-// keeps the planes in the middle of a mesh away from the borders of all cells of the order, so that vertices on them keep their places
-// when the mesh is rotated and comes back a grid step off.
+// keeps the planes in the middle of a mesh away from the borders of all cells of the order, so that vertices on them
+// keep their positions when the mesh is rotated and comes back a grid step off.
 constexpr int32_t kMortonShift = kSide / 2 + kSide / 3;
 
 inline uint64_t morton_key(Vec3i p) {
@@ -53,7 +53,7 @@ inline Vec3i position_of_key(uint64_t key) {
           static_cast<int32_t>(gather_bits(key >> 2)) - kMortonShift};
 }
 
-// Points on their way into Morton order: keys and, beside each, whose it is; the rest is scratch.
+// Points to sort into Morton order: keys and the point of each; the rest is scratch.
 struct MortonScratch {
   uint64_t* keys;
   uint64_t* other_keys;

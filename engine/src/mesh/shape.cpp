@@ -122,10 +122,10 @@ void angles_q30(int64_t given_y, const int64_t (&given_x)[3], int32_t (&angles)[
       angle[k] = kHalfTurn / 2;
     }
   }
-  // CORDIC in vectoring mode (Volder 1959): turns the vector onto the x axis, its length grows by at most 1.65.
+  // CORDIC in vectoring mode (Volder 1959): rotates the vector onto the x axis, its length grows by at most 1.65.
   for (int i = 0; i < kAngleSteps; ++i) {
     for (int k = 0; k < 3; ++k) {
-      // The sense of the turn is as likely as not: no branch.
+      // Both senses of rotation are equally likely: no branch.
       const int64_t back = y[k] > 0 ? 0 : -1;  // v ^ back - back is v or -v
       const int64_t shifted_x = x[k] >> i, shifted_y = y[k] >> i;
       x[k] += (shifted_y ^ back) - back;

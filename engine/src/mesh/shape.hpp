@@ -7,7 +7,7 @@
 
 namespace sinew {
 
-// What a triangle adds to its corners.
+// A triangle's contribution to its corners.
 struct TriangleShape {
   int64_t twice_area;
   Vec3i normal;       // unit, Q24

@@ -40,7 +40,7 @@ enum class LayerShape : uint8_t {
   kSplitSlots  // vertex (K x c) -> pair (c)
 };
 
-// Whose rows a layer reads for one row of its output.
+// The rows that a layer reads for one row of its output.
 enum class LayerReads : uint8_t {
   kOwn,   // those of the same vertex
   kRing,  // those of neighbors

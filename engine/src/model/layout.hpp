@@ -86,8 +86,8 @@ inline uint64_t confidence_bytes(uint32_t entries) {
   return kConfidenceHeader + padded8(static_cast<uint64_t>(entries) * 4);
 }
 
-// Optional section in its place, of a file with a second network: uint32 tag, uint32 bytes of the section, uint64 0, then the
-// whole file of that network, which has no section itself.
+// Optional section at the same position, in a file with a second network: uint32 tag, uint32 bytes of the section,
+// uint64 0, then the whole file of that network, which has no section itself.
 constexpr uint32_t kSecondTag = 0x444E4F43u;  // "COND"
 constexpr size_t kSecondHeader = 16;
 

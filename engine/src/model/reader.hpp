@@ -8,7 +8,7 @@
 
 namespace sinew {
 
-// What a file says before anybody needs to know its task.
+// The part of a file that does not depend on its task.
 struct ModelHeader {
   uint32_t task = 0;         // model/task.hpp
   uint32_t feature_set = 0;  // version and flags of the features that it was trained with
@@ -28,11 +28,11 @@ sinew_status read_header(const void* bytes, size_t size_bytes, ModelHeader* head
 //   SINEW_ERROR_MODEL_LAYOUT    a table contradicts itself: shapes, domains, order, offsets, shifts, reserved bytes; or the
 //                               last layer does not write the task's output
 //   SINEW_ERROR_MODEL_OVERFLOW  an accumulator could leave its type for some input
-//   with_second  the file may have a second network, which is not looked at
+//   with_second  the file may contain a second network, which is ignored
 sinew_status open_model(const void* bytes, size_t size_bytes, const ModelTask& task, sinew_model* model,
                         bool with_second = false);
 
-// What open_model() fills of bytes that it accepted before; nothing is proved again.
+// As open_model(), for bytes that it has accepted; skips all checks.
 sinew_model proven_model(const uint8_t* bytes, size_t size_bytes, const ModelTask& task);
 
 // Where the file of a second network begins in an opened model's bytes; 0: none.

@@ -39,7 +39,8 @@ class ArmSearch {
 
   uint32_t count() const { return count_; }
   uint32_t limb(uint32_t arm) const { return limbs_[arm]; }
-  // What follows looks at a body's tree, which is filled once a pose; only_deepest: deepest() alone will.
+  // The functions below read a body's tree, which is filled once per pose; only_deepest: only deepest() will be
+  // called.
   void fill(const PosedBody& posed, bool only_deepest, TriangleTree* tree) const {
     tree->fill(order_, posed, only_deepest);
   }
@@ -48,7 +49,7 @@ class ArmSearch {
     for (uint32_t i = begin_[arm]; i < end_[arm]; ++i) posed->vertices[vertices_[i]] = posed->skinned(vertices_[i]);
   }
 
-  // Of hand and forearm, moved by `moved`, under triangles without a vertex of any arm. `least` where nothing is deeper than that.
+  // Depth of hand and forearm, moved by `moved`, under triangles without a vertex of any arm; at least `least`.
   ArmDepth deepest(TriangleTree* tree, uint32_t arm, Vec3d moved, double least);
   // The same, but `least` for a point that only lies under the plane of a triangle, outside of the body.
   ArmDepth deepest_inside(TriangleTree* tree, uint32_t arm, Vec3d moved, double least);
@@ -58,9 +59,9 @@ class ArmSearch {
   Vec3d way_out(const TriangleTree& tree, Vec3d p, double reach) const;
   // The mean of the hand's vertices, of the pose that the tree is of; (0, 0, 0) where it has none.
   Vec3d middle_of_hand(const TriangleTree& tree, uint32_t arm) const;
-  // Of the hand to triangles without a vertex of this arm.
+  // Distance of the hand to triangles without a vertex of this arm.
   HandReach nearest(const TriangleTree& tree, uint32_t arm);
-  // Of one vertex of the hand from the same triangles, kFar at most.
+  // Distance of one vertex of the hand from the same triangles, kFar at most.
   double distance(const TriangleTree& tree, uint32_t arm, uint32_t vertex) const;
   // The triangles, of the same, whose middles are nearest to a vertex, near ones first: up to `most` of them within kFar of the box around
   // the hand. Returns their number; squares [most] of distances.

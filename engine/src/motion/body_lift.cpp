@@ -11,7 +11,7 @@ constexpr double kMostPitch = 0.15;  // about the angle of one round
 constexpr double kStraight = 0.999;  // share of an arm's length that it reaches
 constexpr uint32_t kFloorPasses = 12, kNeedPasses = 4;
 
-// What several patches want of one height: what is below the floor comes first, and what is hardly on it holds nothing down.
+// One height for several patches: patches below the floor come first, and those hardly on it hold nothing down.
 struct Wanted {
   double greatest = -1e300, least = 0, weight = 0;
   double slack = 0;  // a patch of no weight may be as far below
@@ -80,7 +80,8 @@ Vec3d BodyLift::needs_of(uint32_t frame) {
   const double arms = arm_need(frame, rises, &touch);
   const double above = upper.rise() + (1 - upper.weight) * arms;
   const double lift = lower.rise() + (1 - carried) * above;
-  // What is left once all is lifted. Arms that reach the floor then ask for nothing, and where nothing above touches the torso stays.
+  // Errors that remain after the lift. Arms that reach the floor then ask for nothing, and where nothing above
+  // touches the torso stays.
   const double left = upper.weight * (upper.rise() - lift) + (1 - upper.weight) * lesser(0, arms - touch * lift);
   const Vec3d trunk = shoulders() - hips();
   const double level = length(cross(trunk, plan_.up)), square = dot(trunk, trunk);
@@ -123,7 +124,7 @@ void BodyLift::move_trunk(double lift, double pitch) {
   const Vec3d half = (0.5 * pitch) * axis;
   const Quat rotation = normalized({half.x, half.y, half.z, 1});
   const Vec3d raise = lift * plan_.up;
-  Vec3d shifts[kMostLimbs];  // of legs, which keep their turns
+  Vec3d shifts[kMostLimbs];  // of legs, which keep their rotations
   for (uint32_t l = 0; l < s_.limbs.count; ++l) {
     const Vec3d before = plan_.target_positions[s_.limbs.limbs[l].first];
     shifts[l] = pivot + rotate(rotation, before - pivot) - before;

@@ -9,7 +9,7 @@ namespace sinew::motion {
 
 class BodyLift {
  public:
-  // Of scenes that are open; they must outlive this.
+  // The scenes must be open and outlive this.
   BodyLift(FloorScene* scene, const FootSearch& feet) : s_(*scene), plan_(*scene->plan), feet_(feet) {}
 
   // On an uneven floor: as much higher as it is under the lower foot, smoothed over time.

@@ -23,7 +23,7 @@ struct FloorGrid {
   double height(Vec3d up, Vec3d p) const;
 };
 
-// What a vertex of the target belongs to.
+// The part of a vertex of the target.
 enum class BodyPart : uint8_t { kOther, kUpperArm, kForearm, kHand, kLeg, kFoot };
 
 struct ClipInputs {

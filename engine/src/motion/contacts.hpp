@@ -41,7 +41,7 @@ struct ContactScene : FloorScene {
   void search_target_at_rest();
 };
 
-// What frames that come one by one leave to the next one.
+// State between frames that come one by one.
 struct HandMemory {
   double rest_depths[kMostArms] = {};  // of arms in the target's body at rest, where no body moves the source; once
   // In the axes of the arm's parent: distance that it was moved to the body and out of it, and the direction.
@@ -51,7 +51,8 @@ struct HandMemory {
 
 // SINEW_OK or SINEW_ERROR_CANCELLED.
 sinew_status place_hands(ContactScene* scene);
-// Of a scene whose search is open: what does not change, then its frame alone. What an arm is moved out of the body by fades afterwards.
+// For a scene with an open search: the constant part, then its frame alone. The displacement of an arm out of the
+// body fades afterwards.
 void open_hands(ContactScene* scene, HandMemory* memory);
 void place_hands_next(ContactScene* scene, HandMemory* memory);
 

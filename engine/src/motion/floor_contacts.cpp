@@ -65,7 +65,7 @@ void FloorContacts::run() {
   for (uint32_t l = 0; l < s_.limbs.count; ++l) {
     const Limb& limb = s_.limbs.limbs[l];
     hold({l, limb.leg ? search_.sole_joint(limb) : limb.last, l, limb.leg, false}, false);
-    if (!limb.leg) hold({l, limb.last, l, false, false}, true);  // a wrist at its limit has turned the hand
+    if (!limb.leg) hold({l, limb.last, l, false, false}, true);  // a wrist at its limit has rotated the hand
   }
   if (memory_ != nullptr) memory_->any = true;
 }
@@ -194,7 +194,8 @@ Vec3d FloorContacts::within_reach(const Limb& limb, Vec3d goal) const {
   return dot(level, level) > square && square > 0 ? first + rise + root(square) * unit(level) : goal;
 }
 
-// smooth: where the joint is over the floor; a hand on it where it was copied, whatever the torso did since, and lifts: the way back.
+// smooth: where the joint is over the floor; a hand on it where it was copied, whatever the torso did since, and
+// lifts: the path back.
 void FloorContacts::find_flat(const HeldJoint& held) {
   for (uint32_t f = 0; f < s_.in->frames; ++f) {
     s_.load(f);

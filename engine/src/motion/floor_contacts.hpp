@@ -17,7 +17,7 @@ struct FloorScene : ClipScene {
   double* heights = nullptr;    // [frames] scratch
   FloorPatches floor_patches;
 
-  // What this adds to ClipScene. Works with a measuring arena. Returns arena.ok().
+  // The memory that this adds to ClipScene. Works with a measuring arena. Returns arena.ok().
   bool allocate_floor(Arena& arena, uint32_t target_joints, uint32_t vertices, uint32_t frames);
 };
 
@@ -36,7 +36,7 @@ struct HeldJoint {
   bool foot = false, middle = false;
 };
 
-// What frames that come one by one leave to the next one.
+// State between frames that come one by one.
 struct FloorMemory {
   struct Anchor {
     Vec3d source = {0, 0, 0};    // of the source's joint
@@ -52,8 +52,8 @@ struct FloorMemory {
 
 class FloorContacts {
  public:
-  // Of a scene that is open. With a memory its clip is the next frame alone: what stands stays where it came to stand, not at the mean
-  // of the frames that it stands, and nothing is smoothed. Both must outlive this.
+  // The scene must be open. With a memory its clip is the next frame alone: what stands stays where it came to stand,
+  // not at the mean of the frames that it stands, and nothing is smoothed. Both must outlive this.
   FloorContacts(FloorScene* scene, FloorMemory* memory);
   void run();
 

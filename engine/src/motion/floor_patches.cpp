@@ -86,7 +86,8 @@ void FloorPatches::look_at(uint32_t frame, double source_floor) {
     }
     const double height = low[i] - source_floor;
     const double rise = absolute(height - (own[i] - s_->target.lowest) / plan->scale);
-    // What is to go far begins to go early, so that it goes no faster than the source; what would go too far is another body's.
+    // A long movement begins early, so that it is no faster than the source; one that is too long belongs to another
+    // body.
     const double far = clamped(kEarly * rise, leave, kJointReach * s_->source_height);
     row[i].weight = (1 - ramp(height, touch, far)) *
                     (1 - ramp(rise, kMostRise * s_->source_height, 2 * kMostRise * s_->source_height));

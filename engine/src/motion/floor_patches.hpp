@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What of a body touches the floor beside its feet: hands, elbows and knees, seat and chest, by their lowest vertices.
+// Parts of a body that touch the floor besides its feet: hands, elbows and knees, seat and chest, by their lowest
+// vertices.
 #ifndef SINEW_MOTION_FLOOR_PATCHES_HPP
 #define SINEW_MOTION_FLOOR_PATCHES_HPP
 

@@ -17,7 +17,7 @@ struct FootHeights {
 
 class FootSearch {
  public:
-  // Of a scene that is open; it must outlive this.
+  // The scene must be open and outlive this.
   explicit FootSearch(ClipScene* scene);
 
   // The toe, or the ankle of a leg without one.
@@ -26,14 +26,14 @@ class FootSearch {
   void find_standing(const Limb& limb, uint8_t* standing);
   // The foot's, in the source's pose.
   bool is_low(const Limb& limb) const;
-  // A way of the source from one frame to the next that is as good as none.
+  // A displacement of the source between frames that counts as none.
   bool is_slow(Vec3d way) const;
-  // Of the source's floor, in its units.
+  // Height of the source's floor, in its units.
   double source_floor() const { return source_floor_; }
   // How far a foot's ankle or toe is over its standing height, the lower one, in the source's pose.
   double height(const Limb& limb) const { return lesser(lift(limb.last), lift(sole_joint(limb))); }
-  // Of the bodies' vertices in their current poses. Without a source's body: how far the joints are above where
-  // they are at rest.
+  // Heights of the bodies' vertices in their current poses. Without a source's body: how far the joints are above
+  // where they are at rest.
   FootHeights lowest(const Limb& limb, uint32_t number) const;
 
  private:

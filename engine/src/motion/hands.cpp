@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Hands and forearms against the body: a hand near a spot of the source's surface goes to the same spot of the target's,
 // and what would be deeper inside of it than the source's is comes out. Without a source's body what is deeper than at rest, each arm
-// along one direction that changes little over time: to which side it comes out is not to hang on single triangles.
+// along one direction that changes little over time: its side must not depend on single triangles.
 #include "motion/contacts.hpp"
 
 namespace sinew::motion {
@@ -12,7 +12,7 @@ constexpr uint32_t kHandRounds = 3, kRoundsWithoutBody = 8, kRoundsOfFrame = 2;
 constexpr uint32_t kArmOfFrame = 192;  // vertices of hand and forearm that are tested in a single frame
 constexpr double kBlur = 0.12;         // share of the height, of the body that an arm is to leave
 constexpr uint32_t kWayPasses = 32;    // of smoothing directions over frames
-// Of pushes and their directions, where no body moves the source: what is left of them after a thirtieth of a second.
+// The share of pushes and their directions that remains after a thirtieth of a second if no body moves the source.
 constexpr double kPushFade = 0.9, kWayFade = 0.8;
 constexpr double kLeastMove = 1e-5;  // share of the height, below which nothing is left of a move
 constexpr double kSteepest = 0.5;    // cosine between a direction and a surface that lies across it
@@ -257,7 +257,7 @@ class Hands {
     const Vec3d elbow = plan_.target_positions[limb.middle], bone = plan_.target_positions[limb.last] - elbow;
     return dot(s_.target.vertices[vertex] - elbow, bone) < kElbow * squared(bone);
   }
-  // What wrist, hand and the middle of the forearm agree upon.
+  // The common direction of wrist, hand and the middle of the forearm.
   Vec3d way_of_arm(uint32_t arm) const {
     const Limb& limb = s_.limbs.limbs[search_.limb(arm)];
     const Vec3d elbow = plan_.target_positions[limb.middle], wrist = plan_.target_positions[limb.last];

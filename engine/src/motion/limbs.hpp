@@ -15,7 +15,7 @@ struct Limb {
   int32_t toe = -1;                          // of a leg: the mapped toe joint, -1 without one
   bool leg = false;
   bool natural =
-      false;  // it bends by 155 degrees at most, and its end turns within 90 of the second bone or where it was
+      false;  // it bends by 155 degrees at most, and its end rotates within 90 of the second bone or where it was
 };
 
 struct LimbList {
@@ -26,7 +26,7 @@ struct LimbList {
 // Both long bones mapped; hands that stand on the floor are none. The first kMostLimbs.
 LimbList find_limbs(const sinew_retarget& plan);
 
-// Of a limb's parent, in the plan's target pose.
+// Rotation of a limb's parent, in the plan's target pose.
 Quat axes_of(const Limb& limb, const sinew_retarget& plan);
 
 // Brings the limb's end to `goal` in the plan's target pose, the middle joint to the side where `middle` lies, or stays where

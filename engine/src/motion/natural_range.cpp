@@ -56,7 +56,7 @@ void find_hinges(const ClipScene& scene, Hinge (&hinges)[kMostLimbs]) {
     hinge = Hinge();
     hinge.along = unit(at[limb.middle] - at[limb.first]);
     const Vec3d second = unit(at[limb.last] - at[limb.middle]);
-    // A calf turns back, a forearm to the front.
+    // A calf bends back, a forearm to the front.
     const Vec3d by_front = across(limb.leg ? -1.0 * front : front, hinge.along), by_rest = across(second, hinge.along);
     const bool fronted = length(by_front) > 0.3 * length(front) && length(front) > 0;
     const bool bent = length(by_rest) > kLeastBend;
@@ -80,7 +80,7 @@ bool bend_into_range(const Limb& limb, const Hinge& hinge, sinew_retarget* plan)
   if (dot(now.direction, now.direction) == 0) return false;
   const Vec3d third = cross(hinge.along, hinge.side);
   double x = now.along, y = now.side, z = dot(now.direction, third);
-  // What is bent to the wrong side is straightened by as much.
+  // A joint bent to the wrong side is straightened by as much.
   if (y < hinge.least_side) {
     x += hinge.least_side - y;
     y = hinge.least_side;

@@ -23,7 +23,7 @@ void PosedBody::measure(Vec3d up) {
 
 void PosedBody::take_pose(const Quat* rotations, const Vec3d* positions) {
   for (uint32_t j = 0; j < rig->count; ++j) {
-    // The body's world, then the joint's turn in the other.
+    // The body's world rotation, then the joint's rotation in the other.
     const Quat q = rotations[j] * rotation;
     const Vec3d columns[3] = {rotate(q, {1, 0, 0}), rotate(q, {0, 1, 0}), rotate(q, {0, 0, 1})};
     const Vec3d offset = positions[j] - rotate(q, rig->positions[j]);

@@ -19,7 +19,7 @@ inline Quat operator*(Quat a, Quat b) {
           a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
 }
 inline Quat conjugate(Quat q) { return {-q.x, -q.y, -q.z, q.w}; }
-// No turn for a quaternion without length.
+// The identity for a quaternion without length.
 inline Quat normalized(Quat q) {
   const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
   if (!(square > kLeastSquare)) return kNoRotation;
@@ -32,8 +32,8 @@ inline Vec3d rotate(Quat q, Vec3d v) {
   return v + q.w * t + cross(u, t);
 }
 
-// The shortest turn from one direction to another; 180 degrees about some axis across where they are opposite, none where
-// one of them has no length.
+// The shortest rotation from one direction to another; 180 degrees about some perpendicular axis if they are
+// opposite, none where one of them has no length.
 inline Quat shortest_arc(Vec3d from, Vec3d to) {
   const Vec3d a = unit(from), b = unit(to);
   const double c = dot(a, b);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One frame: the source's turns in the target's world, the target's by its map, the hips over the floor, local again.
+// Retargets one frame: the source's rotations in the target's world, the target's by its map, the hips over the
+// floor, local rotations.
 #include "motion/retarget.hpp"
 
 #include "core/sort.hpp"
@@ -41,7 +42,7 @@ Vec3d wanted_middle(const sinew_retarget& plan, double ground) {
 }
 
 // A bone of a torso, an arm or a leg, which keeps its length: rigs have other ideas of how long they are, or move joints that the
-// target's skin does not follow. Hands and feet that hang elsewhere than on their limbs are none.
+// target's skin does not follow. Hands and feet outside of their limbs do not count.
 bool keeps_length(const sinew_retarget& plan, uint32_t t) {
   const uint32_t own = plan.classes[t], above = plan.classes[plan.target.parents[t]];
   switch (own) {
@@ -236,7 +237,7 @@ void store_target(const sinew_retarget& plan, float* rotations, float* translati
       offset = rotate(back, offset - plan.target_positions[parent]);
     }
     local = normalized(local);
-    if (local.w < 0) local = {-local.x, -local.y, -local.z, -local.w};  // one of the two that are the same turn
+    if (local.w < 0) local = {-local.x, -local.y, -local.z, -local.w};  // one of the two that are the same rotation
     float* const q = rotations + size_t{4} * t;
     q[0] = static_cast<float>(local.x);
     q[1] = static_cast<float>(local.y);

@@ -23,7 +23,7 @@ void move_target(sinew_retarget* plan, Vec3d offset);
 sinew_status source_height(sinew_retarget* plan, const float* rotations, const float* translations, float* height);
 // The floor that a source stands on at rest is its floor; hips at the origin, as captures have them, stand on none.
 bool stands_at_rest(const sinew_retarget& plan);
-// Of the joints that are on the floor in the source's current pose.
+// Height of the lowest floor joint in the source's current pose.
 double lowest_floor_joint(const sinew_retarget& plan);
 sinew_status standing_height(const sinew_retarget& plan, float* heights, size_t count, float* ground);
 sinew_status retarget_frame(sinew_retarget* plan, const float* rotations, const float* translations, float ground,

@@ -227,7 +227,7 @@ class Planner {
     }
   }
 
-  // Short legs jump as high as the body, of which there is more to turn over in the air.
+  // Short legs jump as high as the body needs to rotate in the air.
   void find_flight_scale() {
     constexpr double kMost = 2;
     plan_.flight_scale = plan_.scale;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a pair of skeletons and a map have in common, found once: how the source's world is rotated, which bones are long
+// Constants of a pair of skeletons and a map, found once: how the source's world is rotated, which bones are long
 // ones of limbs and how far their rest poses are apart, how much larger the target is, and what stands on the floor.
 #ifndef SINEW_MOTION_RETARGET_PLAN_HPP
 #define SINEW_MOTION_RETARGET_PLAN_HPP

@@ -11,7 +11,7 @@ class WorldFinder {
       : options_(options), plan_(*plan), source_(plan->source), target_(plan->target) {}
 
   // Up to up, then the quarter rotate about it after which mapped joints lie nearest to their sources, as seen from their
-  // middles, then what is left to turn.
+  // middles, then the remaining rotation.
   void run() {
     plan_.up = up_of(options_.target_up, false);
     const Quat raise = shortest_arc(up_of(options_.source_up, true), plan_.up);
@@ -25,7 +25,7 @@ class WorldFinder {
     }
     middle_s = (1 / mapped) * middle_s;
     middle_t = (1 / mapped) * middle_t;
-    constexpr double kHalf = 0.70710678118654752440;  // sine and cosine of an eighth of a turn
+    constexpr double kHalf = 0.70710678118654752440;  // sine and cosine of 45 degrees
     const double sines[4] = {0, kHalf, 1, -kHalf}, cosines[4] = {1, kHalf, 0, kHalf};
     double best = 0;
     for (int quarter = 0; quarter < 4; ++quarter) {
@@ -69,7 +69,7 @@ class WorldFinder {
   // Rotates about the up axis to align the starts of the legs with the target's, for a file at another heading than
   // multiples of 90 degrees. Legs start at mirrored positions in any pose; up to 3 degrees are measurement noise.
   void face_front() {
-    constexpr double kStraight = 0.05;  // tangent of what is no turn
+    constexpr double kStraight = 0.05;  // tangent below which it is no rotation
     if (!plan_.has_legs) return;
     Vec3d middle_s = {0, 0, 0}, middle_t = {0, 0, 0};
     const double share = 1.0 / plan_.anchor_count;

@@ -90,7 +90,7 @@ class TriangleTree {
   }
   // Slots of a leaf are kTreeFan * leaf and those behind it.
   const Leaf& leaf(uint32_t index) const { return leaves_[index]; }
-  // Of length 1, or 0; found when they are asked for first.
+  // Normals of length 1, or 0; computed on first use.
   const Leaf& normals(uint32_t leaf);
 
   // Calls look(leaf, squares) for leaves with a middle whose square distance from p is at most *bound, which look may make less, and

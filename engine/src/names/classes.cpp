@@ -5,7 +5,7 @@
 namespace sinew::names {
 namespace {
 
-// What is below a joint, on its way to leaves.
+// Joints between a joint and its leaves.
 enum Below : uint8_t { kAny = 1, kUpLegBelow = 2, kLegBelow = 4 };
 
 struct Verdict {

@@ -20,7 +20,8 @@ uint64_t add_text(uint64_t hash, const Text& text) {
   return (hash ^ 0x20u) * 1099511628211u;
 }
 
-// What a name ends with, but for .001 and _021: a separator and at least two digits behind another number's digits or a word.
+// The end of a name, except .001 and _021: a separator and at least two digits behind another number's digits or a
+// word.
 int32_t number_at_end(const char* name) {
   size_t end = static_cast<size_t>(length_without_id(name, length_of(name)));
   for (size_t digits = 0; digits < end; ++digits) {
@@ -178,7 +179,8 @@ class Reader {
     return 1;
   }
 
-  // Of five letters or more at the beginning of a longer word, of four or more at its end: no tail is in tailor.
+  // Words of five letters or more at the beginning of a longer word, of four or more at its end: no tail is in
+  // tailor.
   static const Word* longest_inside(const Text& token) {
     constexpr int kShortest = 4, kShortestBefore = 5;
     int count = 0, longest = 0;
@@ -279,7 +281,7 @@ class Reader {
                                     (part == Part::kHips || out_.side_end - out_.side_begin == 1));
     }
     if (out_.helper && out_.part == Part::kHips) out_.part = Part::kHipJoint;
-    // Of the palm, but for the thumb's, which has no other bone there.
+    // Bones of the palm, except the thumb's, which has no other bone there.
     if (is_finger(out_.part) && out_.part != Part::kThumb && any([](Part part) { return part == Part::kMeta; }))
       out_.part = Part::kMeta;
     out_.exact = out_.part != Part::kNone && distinct == 0 && !unknown_ && !out_.has(kTwist);

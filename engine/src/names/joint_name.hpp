@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What one joint's name says, by the table of words: part of a body, side, number, what it is for, and keys for comparison.
+// Meaning of one joint's name, by the table of words: part of a body, side, number, what it is for, and keys for
+// comparison.
 #ifndef SINEW_NAMES_JOINT_NAME_HPP
 #define SINEW_NAMES_JOINT_NAME_HPP
 

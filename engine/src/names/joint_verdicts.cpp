@@ -8,7 +8,7 @@ namespace {
 
 bool is_one_finger(uint8_t joint_class) { return joint_class >= SINEW_CLASS_THUMB && joint_class <= SINEW_CLASS_PINKY; }
 
-// Of a finger's joint its index in the finger, by the hierarchy: names count from 0, from 1 and within other numbers.
+// The index of a finger's joint in the finger, by the hierarchy: names count from 0, from 1 and within other numbers.
 void number_joints(const NamedJoints& s, int32_t* numbers) {
   for (int32_t i = 0; i < s.n; ++i) {
     const int32_t j = s.order[i], p = s.parents[j];

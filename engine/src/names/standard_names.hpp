@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What conventions call joints: the one table of class, side and index to names.
+// Joint names of conventions: the one table of class, side and index to names.
 #ifndef SINEW_NAMES_STANDARD_NAMES_HPP
 #define SINEW_NAMES_STANDARD_NAMES_HPP
 

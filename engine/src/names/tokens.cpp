@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cuts a name: the one place where names of joints are taken apart.
+// Cuts joint names into tokens; no other file does.
 #include "names/tokens.hpp"
 
 #include <stddef.h>

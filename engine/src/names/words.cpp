@@ -176,7 +176,7 @@ constexpr Word kWords[] = {
     {"start", P::kNone, kStart},
     {"begin", P::kNone, kStart},
     {"base", P::kNone, kStart},
-    // What nothing is to be bound to.
+    // Joints that get no weights.
     {"ik", P::kNone, kControl},
     {"ctrl", P::kNone, kControl | kOnSuffix},
     {"ctl", P::kNone, kControl},

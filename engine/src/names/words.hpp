@@ -48,7 +48,7 @@ enum class Part : uint8_t {
 constexpr Part kFirstFinger = Part::kThumb, kLastFinger = Part::kFingers;
 constexpr bool is_finger(Part part) { return part <= kLastFinger; }
 
-// What else a word says: bits of Word::flags.
+// Other meanings of a word: bits of Word::flags.
 enum WordFlag : uint32_t {
   kLeft = 1u << 0,
   kRight = 1u << 1,
@@ -70,7 +70,7 @@ enum WordFlag : uint32_t {
   kStart = 1u << 17,        // the other end of what has an end: two bones
   kAfterSide = 1u << 18,    // a side may stand before it without a gap: lhand, rfoot
   kOnSuffix = 1u << 19,     // counts at the end of a longer word: legcontrol
-  kTwist = 1u << 20,        // half a limb, or a bone that shares its turn
+  kTwist = 1u << 20,        // half a limb, or a bone that shares its rotation
   kToeToo = 1u << 21,       // a finger's name that toes have as well
   kLeaf = 1u << 26,         // exporters' bone behind a bone: an end to maps, whose fingers count its joints
   kWhole = 1u << 22,        // names a part where it is the whole name

@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-// What a network runs on, all borrowed. U vertices, K slots each; for a task over joints U joints, which the words
+// Input of a network, all borrowed. U vertices, K slots each; for a task over joints U joints, which the words
 // vertex, pair and candidate then represent.
 struct NetworkInput {
   uint32_t vertex_count = 0;     // U
@@ -44,7 +44,7 @@ struct NetworkOptions {
 // fixed_candidates: then it is the model's. logits out: rows of the task's output, int16, clamped to +-32767; for bind
 // [U x K] in log2 units, Q10. Rows of absent slots are 0 and mean nothing. Reports progress 0..1000 of its own work.
 // Returns SINEW_OK, SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED; scratch is released, logits are undefined on failure.
-// What it takes of the arena is a function of the model, the options and the counts in `input`: the same for all kernels
+// Its memory in the arena is a function of the model, the options and the counts in `input`: the same for all kernels
 // and everywhere.
 sinew_status run_network(const sinew_model& model, const NetworkInput& input, const Kernels& kernels,
                          const Progress& progress, Arena& arena, int16_t* logits, const NetworkOptions& options = {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What vector kernels want to know of a network's linear layers: their packed parameters, which columns are the same in
+// Data of a network's linear layers for vector kernels: their packed parameters, which columns are the same in
 // many rows, and which rows no layer reads.
 #ifndef SINEW_NETWORK_PACKED_LAYERS_HPP
 #define SINEW_NETWORK_PACKED_LAYERS_HPP

@@ -79,7 +79,7 @@ inline RowsView whole_mesh(const Run& run, uint16_t buffer, int producer, uint32
   return {rows + (channel - out.offset), out.channels};
 }
 
-// Of the usual 16 to 96 bytes a call of memcpy would be most of the work.
+// For the usual 16 to 96 bytes a call of memcpy would be most of the work.
 inline void copy_values(int16_t* to, const int16_t* from, uint32_t count) {
   constexpr uint32_t kPiece = 8;
   for (; !kSmallCode && count >= kPiece; count -= kPiece, to += kPiece, from += kPiece)

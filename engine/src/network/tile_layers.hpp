@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Layers over a tile: some vertices on their way through a stage. To add a kind of layer, run_layer() gets a case.
+// Layers over a tile: some vertices of a stage. To add a kind of layer, run_layer() gets a case.
 #ifndef SINEW_NETWORK_TILE_LAYERS_HPP
 #define SINEW_NETWORK_TILE_LAYERS_HPP
 
@@ -7,7 +7,7 @@
 
 namespace sinew::network {
 
-// Some vertices of a run on their way through a stage.
+// Some vertices of a run, in a stage.
 struct Tile {
   const Run& run;
   uint32_t lane;        // whose scratch they use

@@ -55,7 +55,7 @@ SmoothedVertex begin_vertex(const PosedJoints& posed, uint32_t u, Vec3d position
           {0, 0, 0}};
 }
 
-// What the lattice moved around a bend belongs to it.
+// Vertices that the lattice moved around a bend belong to it.
 void grow_bends(const DeformRest& rest, const uint8_t* moved, SmoothedVertex* vertices) {
   bool more = true;
   for (uint32_t sweep = 0; more && sweep < kMostBendSweeps; ++sweep) {

@@ -22,7 +22,7 @@ struct BendVolume {
   double area;          // what a step of 1 of all its vertices adds, likewise
 };
 
-// A vertex goes towards where its neighbors put it by their offsets at rest, turned as the joints turn it: what the pose displaced is
+// A vertex moves towards its neighbors' rest offsets, rotated by the joints: what the pose displaced is
 // smoothed, and the rest pose is smooth already. The share of a step grows with the angle between the joints of a vertex and is 0 where
 // they do not rotate against each other. Every step that shrinks is followed by one that inflates, after G. Taubin, "A signal processing
 // approach to fair surface design", 1995; the last ones along the normals, by what the bend of a joint lacks of its volume at rest.

@@ -38,7 +38,8 @@ void Branches::keep_pairs(bool target_first, int32_t* sources, double* costs) {
   });
 }
 
-// What crosses the way of a joint above gets the cheapest of its other sources that does not, else the other root.
+// A joint that crosses the path of one above gets the cheapest of its other sources that does not, else the other
+// root.
 void Branches::settle_crossings(bool target_first, int32_t* sources, double* costs) {
   const Hierarchy &a = *a_.rig, &b = *b_.rig;
   bool any = false;
@@ -136,7 +137,7 @@ double Branches::run(uint32_t first, bool mean, const uint8_t* animated, int32_t
   return sum / pairs;
 }
 
-// Whether t -> s would cross the way of an ancestor or of a joint below.
+// Whether t -> s would cross the path of an ancestor or of a descendant.
 bool Branches::crosses(int32_t t, int32_t s, const int32_t* sources) const {
   const Hierarchy &a = *a_.rig, &b = *b_.rig;
   for (int32_t i = a.parent[t]; i >= 0; i = a.parent[i]) {
@@ -182,7 +183,7 @@ void Branches::fill_in(int32_t* sources, double* costs) {
   }
 }
 
-// What is no node: joints above the roots, from the roots up, and ends by the joints that they end.
+// Joints that are no nodes: joints above the roots, from the roots up, and ends by the joints that they end.
 void Branches::map_outside(int32_t* sources, double* costs) {
   const Hierarchy &a = *a_.rig, &b = *b_.rig;
   for (int32_t t = a.parent[a_.root], s = b.parent[b_.root]; t >= 0 && s >= 0; t = a.parent[t], s = b.parent[s]) {

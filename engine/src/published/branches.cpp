@@ -16,7 +16,7 @@ uint64_t table_cells(uint64_t target, uint64_t source) {
   return target * source < kMostBranchPairs ? target * source : kMostBranchPairs;
 }
 
-// The first joint below the root, or the root, on which two or more hang that are no ends; the root where none is.
+// The first joint below the root, or the root, with two or more children that are not leaves; the root where none is.
 int32_t first_branching(const Hierarchy& rig) {
   for (int32_t joint = rig.first_root(), only = joint; only >= 0; joint = only) {
     int32_t count = 0;
@@ -113,7 +113,7 @@ void Branches::Rig::find_mirrors() {
     }
     mirror[i] = least < kMirrored && best != i ? best : -1;
   }
-  for (int32_t i = 0; i < branches; ++i) {  // both ways
+  for (int32_t i = 0; i < branches; ++i) {  // in both directions
     if (mirror[i] >= 0 && mirror[mirror[i]] != i) mirror[i] = -1;
   }
 }
@@ -157,7 +157,8 @@ uint64_t Branches::prepare(const Anatomy& target, const float* target_areas, con
   return lengths[0] * lengths[1];
 }
 
-// Of the two branches in hand: every joint of the shorter gets one of the longer. Leaves where a later choice is better.
+// In the two current branches every joint of the shorter gets one of the longer. Returns early if a later choice is
+// better.
 double Branches::compare(bool mean) {
   const bool turned = a_.length > b_.length;
   const Rig &s = turned ? b_ : a_, &l = turned ? a_ : b_;
@@ -189,7 +190,7 @@ bool Branches::may_pair(int32_t i, int32_t k) const {
   return (first_->mirror[i] >= 0) == (second_->mirror[k] >= 0) && first_->side[i] == second_->side[k];
 }
 
-// What it costs that branch i of the first rig gets branch k of the other, and i's mirror image that of k.
+// Cost of matching branch i of the first rig to branch k of the other, and i's mirror image to that of k.
 double Branches::mirrored_cost(int32_t i, int32_t k) const {
   const Rig &one = *first_, &other = *second_;
   const int32_t twin = one.mirror[i], image = other.mirror[k];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The published method as drawn: ways from the root to every leaf, compared by the costs of their joints.
+// The published method: paths from the root to every leaf, compared by the costs of their joints.
 #ifndef SINEW_PUBLISHED_BRANCHES_HPP
 #define SINEW_PUBLISHED_BRANCHES_HPP
 
@@ -36,7 +36,7 @@ class Branches {
     int32_t* mirror = nullptr;           // [n] of a branch, -1 = none
     int32_t* through = nullptr;          // [n] branches through a joint
     int32_t* chain = nullptr;            // [n] of the branch in hand, from the root on
-    double* ratio = nullptr;             // [n] of the branch in hand: way to the root over the branch's
+    double* ratio = nullptr;             // [n] of the current branch: distance to the root over the branch's
     int8_t* side = nullptr;              // [n] of a branch
     const int8_t* joint_side = nullptr;  // [n] left, right or between
     int32_t branches = 0, length = 0;
@@ -51,7 +51,7 @@ class Branches {
   double stored_cost(int32_t i, int32_t j) const {
     return table_ == nullptr || !use_table_ ? joint_cost(i, j) : table_[i * b_.rig->n + j];
   }
-  // Of branch i of the first rig and branch k of the other.
+  // Whether branch i of the first rig may be paired with branch k of the other, and at what cost.
   bool may_pair(int32_t i, int32_t k) const;
   double choice_cost(int32_t i, int32_t k) const {
     const int32_t row = first_ == &a_ ? i : k, column = first_ == &a_ ? k : i;

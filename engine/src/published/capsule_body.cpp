@@ -38,7 +38,7 @@ Proportion proportion(uint32_t joint_class) {
       return {0.2, 0};
   }
 }
-// What goes on beyond a leaf, as a share of the bone before it; heads by the torso.
+// Length beyond a leaf, as a share of the bone before it; heads by the torso.
 constexpr double kBeyondHead = 0.35, kBeyondLeaf = 0.6;
 
 bool is_body(uint32_t c) { return c <= SINEW_CLASS_FOOT || c == SINEW_CLASS_TAIL || c == SINEW_CLASS_WING; }

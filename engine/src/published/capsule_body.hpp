@@ -17,7 +17,8 @@ class CapsuleBodies {
   static uint32_t capacity(uint32_t target_joints) { return 2 * target_joints; }
 
   bool allocate(Arena& arena, uint32_t target_joints);
-  // Of bones between mapped joints of the body, fingers and toes left out. source() and target() have no vertices where there are none.
+  // Capsules of bones between mapped joints of the body, without fingers and toes. source() and target() have no
+  // vertices where there are none.
   //   mesh  the target's
   void build(const sinew_retarget& plan, const sinew_motion_body& mesh);
 

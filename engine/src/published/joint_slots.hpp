@@ -37,7 +37,7 @@ constexpr uint32_t kSlotAttention = 0, kSlotPointOffset = 1, kSlotLogit = 4, kSl
 constexpr uint32_t kMeshRow = kSlots * kSlotChannels, kMeshChannels = 32;
 constexpr uint32_t kSlotRow = kMeshRow + kMeshChannels;
 // Second network, a row for every two slots: offset vector from joint to joint and its length (shares of the side), which two
-// slots, the mesh's row divided by kMeshRowDivisor. It writes the logit that the joints hang together.
+// slots, the mesh's row divided by kMeshRowDivisor. It writes the logit that the joints are connected.
 constexpr uint32_t kPairOffset = 0, kPairFirst = 4, kPairSecond = kPairFirst + kSlots, kPairMesh = kPairSecond + kSlots;
 constexpr uint32_t kPairChannels = kPairMesh + kMeshChannels;
 constexpr int kMeshRowDivisor = 8;

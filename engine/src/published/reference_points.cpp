@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Influences of triangles on joints, lengths of bones along the way, and limbs put where the sum is.
+// Influences of triangles on joints, lengths of bones along paths, and limbs moved to the weighted sum.
 #include "motion/reference_points.hpp"
 
 #include "motion/arm_search.hpp"
@@ -12,9 +12,9 @@ namespace {
 
 // Parts of the body that reference points belong to.
 constexpr uint8_t kTorso = 0, kHead = 1, kFirstLimb = 2;
-constexpr double kGivesWay = 0.005;  // share of the height: so much deeper an arm may lie in the body, it gives way
+constexpr double kGivesWay = 0.005;  // share of the height: depth in the body up to which an arm yields
 constexpr double kLeastLength =
-    1e-6;  // share of the source's height: bones that are shorter as seen along the way say nothing
+    1e-6;  // share of the source's height: bones shorter than this along the path are ignored
 
 // About exp(-x), x >= 0: 0.0003 off at most. A power of a fraction needs no libm.
 double falling(double x) {
@@ -33,7 +33,7 @@ struct ReferenceScene : ClipScene {
   uint32_t* above =
       nullptr;  // [target joints] the joint that its bone begins at, kNoIndex for others than nodes and roots
   uint8_t* is_node = nullptr;     // [target joints] mapped, as the first of its source
-  Vec3d* source_bones = nullptr;  // [target joints] of one way
+  Vec3d* source_bones = nullptr;  // [target joints] of one path
   Vec3d* target_bones = nullptr;
   ArmSearch search;
   TriangleTree source_tree, target_tree;
@@ -109,7 +109,7 @@ class ReferencePoints {
   uint32_t source_of(uint32_t t) const { return static_cast<uint32_t>(plan_.map[t]); }
   Vec3d source_rest(uint32_t t) const { return rotate(plan_.rotation, plan_.source.positions[source_of(t)]); }
 
-  // Of joints with one source the first is a node of the way; its bone begins at the next node above.
+  // Among joints with one source the first is a node of the path; its bone begins at the next node above.
   void find_nodes() {
     for (uint32_t i = 0; i < rig_.count; ++i) {
       const uint32_t t = rig_.order[i];
@@ -313,7 +313,7 @@ class ReferencePoints {
            plan_.scale * (s_.source.middles[triangle] - plan_.source_positions[source_of(hips)]);
   }
 
-  // Brings the head to the direction of `goal` from the neck's beginning; it keeps its turn.
+  // Brings the head to the direction of `goal` from the neck's beginning; it keeps its rotation.
   void move_head(Vec3d goal) {
     const Vec3d pivot = plan_.target_positions[neck_];
     const Quat turn = shortest_arc(plan_.target_positions[head_] - pivot, goal - pivot);
@@ -362,7 +362,7 @@ class ReferencePoints {
   sinew_retarget& plan_;
   const MotionRig& rig_;
   uint32_t triangles_;
-  uint32_t head_ = kNoIndex, neck_ = kNoIndex;  // target joints, and where the head turns
+  uint32_t head_ = kNoIndex, neck_ = kNoIndex;  // target joints, and the pivot of the head
   double heights_ = 1;                          // of the target's body per the source's
   double depths_[kMostArms] = {};
 };

@@ -9,12 +9,12 @@ constexpr uint32_t kRays = 4, kStations = 2;
 constexpr double kShortestBone = 1e-3, kLongestRay = 0.25;  // of the longest side
 constexpr double kLeastRatio = 0.35, kMostRatio = 2.8;      // of the two rays' lengths, beside the skeletons' ratio
 constexpr double kFarthestApart = 0.03;                     // of a ray's two hits, the source brought to the target
-constexpr double kConsistent = 0.012;                       // from where a way there and back began to where it ends
-constexpr double kLeastCosine = 0.5;                        // between the two surfaces' normals
-constexpr double kLayers = 0.06;                            // the same along the normal: cloth and the skin below it
-constexpr double kOtherPart = 0.01;                         // added to distances between points of two parts
-constexpr double kLeastSpacing = 0.004;                     // of reference points
-constexpr double kLeastOfPart = 1e-4;                       // the same inside a part
+constexpr double kConsistent = 0.012;    // distance from the start to the end of a path there and back
+constexpr double kLeastCosine = 0.5;     // between the two surfaces' normals
+constexpr double kLayers = 0.06;         // the same along the normal: cloth and the skin below it
+constexpr double kOtherPart = 0.01;      // added to distances between points of two parts
+constexpr double kLeastSpacing = 0.004;  // of reference points
+constexpr double kLeastOfPart = 1e-4;    // the same inside a part
 constexpr uint32_t kOfPart = 8, kMostParts = 256;
 constexpr uint32_t kAnyPart = 0xFFFFFFFFu;
 constexpr double kHalfRoot = 0.70710678118654752440;  // the cosine of 45 degrees
@@ -160,7 +160,7 @@ class Choice {
     for (uint32_t station = 0; station < kStations; ++station) {
       const double at = 0.5 * station;
       for (uint32_t ray = 0; ray < kRays; ++ray) {
-        // Quarter turns, at the middle by an eighth on.
+        // Rotations by 90 degrees, at the middle by 45 more.
         Vec3d direction = ray % 2 == 0 ? first : second, next = ray % 2 == 0 ? second : -1.0 * first;
         if (ray >= 2) {
           direction = -1.0 * direction;
@@ -183,7 +183,7 @@ class Choice {
     }
   }
 
-  // Whether a way there and back ends where it began, or above or below it: on another layer.
+  // Whether a path there and back ends at its start, or above or below it: on another layer.
   static bool returns(Vec3d apart, Vec3d normal) {
     const double above = dot(apart, normal);
     return length(apart - above * normal) < kConsistent && absolute(above) < kLayers;

@@ -106,7 +106,7 @@ void choose_slots(const SlotJoints& joints, BodyKind category, const RigOptions&
 }
 
 // Grown from the root by the likeliest connection that reaches something new: the tree that is left when edges of the
-// published weight, -ln(p + 0.01), go from the heaviest on whose ends hang together without them.
+// published weight, -ln(p + 0.01), go from the heaviest on, if their ends are connected without them.
 void span_tree(const SlotJoints& joints, SlotTree* tree) {
   bool met[kSlots] = {};
   for (uint32_t i = 0; i < tree->count; ++i) tree->parents[i] = -1;

@@ -8,7 +8,7 @@
 
 namespace sinew::rigging {
 
-// What both networks say of a mesh.
+// Outputs of both networks for a mesh.
 struct SlotJoints {
   Vec3i positions[kSlots];         // grid units in the mirror frame
   int32_t presence[kSlots];        // logits, Q10

@@ -10,10 +10,11 @@
 
 namespace sinew::transferring {
 
-// L is the cotangent Laplacian with ties: each part hangs by the quarter of its vertices that is nearest to larger parts, at most
-// 24, on its hosts there. One vertex is held, and L is factorised once. d(x, i)^2 = g(x, x) + g(i, i) - 2 g(x, i) where g is the
-// pseudo-inverse of L A^-1 L, which is the inverse of L, its means by area taken off, twice with A between. A reference point costs two
-// solves, and all g(x, x) come from the factor and its rate. Which vertex is held does not matter to d.
+// L is the cotangent Laplacian with ties: each part is tied by the quarter of its vertices that is nearest to larger
+// parts, at most 24, on its hosts there. One vertex is held, and L is factorised once. d(x, i)^2 = g(x, x) + g(i, i)
+// - 2 g(x, i) where g is the pseudo-inverse of L A^-1 L, which is the inverse of L, its means by area taken off,
+// twice with A between. A reference point costs two solves, and all g(x, x) come from the factor and its rate. Which
+// vertex is held does not matter to d.
 class SurfaceDistances {
  public:
   bool allocate(Arena& arena, const Counts& counts);

@@ -9,7 +9,7 @@ namespace sinew::deform {
 namespace {
 
 constexpr double kShortest = 1e-9;     // of an edge or a spring that has a direction
-constexpr double kFlat = 0.02;         // squared gradients of a volume, below which a flat tetrahedron gives way
+constexpr double kFlat = 0.02;         // squared gradients of a volume, below which a flat tetrahedron yields
 constexpr double kLongestMove = 0.25;  // of a node, by one volume
 constexpr double kLeastSquaredShares =
     0.02;  // squared shares of moving nodes, below which nothing carries an embedded vertex
@@ -42,7 +42,7 @@ class XpbdSolver {
   static void each(uint32_t count, bool backwards, const Solve& solve_one) {
     for (uint32_t i = 0; i < count; ++i) solve_one(backwards ? count - 1 - i : i);
   }
-  // Every node goes on in the way that it came since the last round's end, at most a cell.
+  // Every node repeats its step since the last round's end, at most a cell.
   void add_momentum(bool on) {
     for (uint32_t n = 0; n < lattice_.node_count; ++n) {
       if (moves_[n] == 0) continue;

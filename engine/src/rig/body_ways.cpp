@@ -9,8 +9,8 @@ namespace {
 
 constexpr int64_t kCostPerUnit = 59093;  // Q32: 10 log2(e) / kSide
 constexpr int32_t kPassing = 3 << 16;    // bits, Q16
-constexpr int32_t kAirFactor = 4;        // a straight way through the air
-constexpr int32_t kFarthest = 1 << 24;   // what no way leads to
+constexpr int32_t kAirFactor = 4;        // a straight path through the air
+constexpr int32_t kFarthest = 1 << 24;   // unreachable
 
 }  // namespace
 

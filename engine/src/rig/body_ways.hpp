@@ -9,7 +9,7 @@
 namespace sinew::rigging {
 
 // Each solid cell belongs to the joint that is nearest through the body, on both sides of the plane. Bones join what lies side by
-// side: a way that leads through a third joint's cells costs kPassing bits for each, and every way its length. Through
+// side: a path through a third joint's cells costs kPassing bits for each, and every path its length. Through
 // the air it is four times as far.
 //   interior  its distances become those from the joints
 //   costs     out  [joints x joints] bits, Q16, below 2^24; the same in both directions

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bands of the ways through a body, their regions as a tree, joints along its branches.
+// Bands of path lengths through a body, their regions as a tree, joints along its branches.
 #include "core/sort.hpp"
 #include "core/union_find.hpp"
 #include "core/vector_math.hpp"
@@ -19,9 +19,9 @@ constexpr uint32_t kMostNodes = kMaxFoldedJoints - 8;  // no more than can be re
 struct CellRegion {
   Vec3l sum = {0, 0, 0};  // of its cells' centers
   uint32_t count = 0;
-  uint32_t first = kNoIndex;  // its first cell on the way
+  uint32_t first = kNoIndex;  // its first cell on the path
   uint32_t parent = kNoIndex;
-  uint16_t begin = kNoDistance, end = 0;  // ways of its first and last cell
+  uint16_t begin = kNoDistance, end = 0;  // path lengths of its first and last cell
   uint16_t far = 0;                       // of the last cell that is reached through it
   bool on_plane = false, kept = false;
   uint8_t branches = 0;  // number of kept child regions
@@ -108,7 +108,7 @@ class Curve {
     }
   }
 
-  // On the region where the way to its first cell comes from; that of the middle where none does.
+  // The parent is the region before its first cell on the path; without one, that of the middle.
   SINEW_RARE void hang(uint32_t number) {
     CellRegion& region = regions_[number];
     region.parent = order_[0];
@@ -269,7 +269,7 @@ class Curve {
   const bool folded_;
   uint32_t* const label_;      // [cells] region of a cell, or kNoIndex
   CellRegion* const regions_;  // [kMaxRegions]
-  uint16_t* const order_;      // [kMaxRegions] by their first cell's way
+  uint16_t* const order_;      // [kMaxRegions] by their first cell's path length
   FoldedTree& tree_;
   uint32_t count_ = 0;
 };

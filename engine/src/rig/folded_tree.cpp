@@ -19,7 +19,7 @@ constexpr int64_t kLogPerUnit = 3298;          // Q26: log2(e) / kVoteWidth
 constexpr int32_t kNever = INT32_MAX / 2;
 constexpr int64_t kAstray = 12 << 16, kSecond = 4 << 16;  // bits, Q16
 constexpr int32_t kFromBeside = 283650;                   // Q16: 3 log2(e)
-// What beside the plane is moved there for its child.
+// Joints nearer to the plane than this are moved onto it for their child.
 constexpr int32_t kMiddle = side_share(300), kPairMiddle = side_share(200);
 constexpr int32_t kEndSnap = side_share(400);      // an end of a joint on the plane
 constexpr int32_t kEndDistance = side_share(120);  // from an end to any joint
@@ -176,10 +176,11 @@ class FoldedTreeBuilder {
     }
   }
 
-  // In bits, Q16: -log2(chance by the votes + 0.01), the way through the body, -0.7 log2(chance of the classes).
+  // In bits, Q16: -log2(chance by the votes + 0.01), the path through the body, -0.7 log2(chance of the classes).
   SINEW_RARE void find_costs() {
     const uint32_t n = tree_.count;
-    // Twenty times what the votes add up to, so that what the other way counts, 0.15, is whole: below 2^38.
+    // Twenty times what the votes add up to, so that the share of the opposite direction, 0.15, is an integer: below
+    // 2^38.
     int64_t total[kMaxFoldedJoints];
     for (uint32_t j = 0; j < n; ++j) {
       total[j] = int64_t{votes_.points} * kOneQ15 * 20 / 500;
@@ -193,7 +194,7 @@ class FoldedTreeBuilder {
       const int64_t classes = int64_t{kParentSurprise[a.joint_class][b.joint_class]} * 56 / 5;
       return static_cast<int32_t>(surprise + way + classes);
     };
-    // Both ways at once: each needs the other's votes.
+    // Both directions at once: each needs the other's votes.
     for (uint32_t i = 0; i < n; ++i) {
       for (uint32_t j = 0; j < i; ++j) {
         const int64_t there = between_[i * n + j], back = between_[j * n + i];
@@ -239,7 +240,7 @@ class FoldedTreeBuilder {
     return (astray ? kAstray : 0) + (second ? kSecond : 0) + (apart ? kNever : 0);
   }
 
-  // Prim's algorithm; from_beside is what a way from beside the plane to it costs more.
+  // Prim's algorithm; from_beside is the extra cost of a path from beside the plane to it.
   SINEW_RARE void find_parents(int32_t from_beside) {
     const uint32_t n = tree_.count;
     bool inside[kMaxFoldedJoints] = {};

@@ -39,24 +39,25 @@ struct FoldedTree {
 // Every point belongs to the joint of its start vote and, where its end is not a tip, votes for a connection from there
 // to the joint of its end vote. The root is the heaviest pelvis on the plane, else the joint nearest to the points'
 // mean; where no joint is on the plane it is put there. Prim's algorithm takes one more joint at a time at the least
-// cost: surprise in the votes, the way through the body (rig/body_ways.hpp), surprise in the two classes. A limb is a
-// chain of its own: joints of paired classes that lie on two sides never hang together, nor an arm or a leg on a tail
-// or an ear, nor an ear on them; what goes on from a joint of a limb that has its next already costs more
+// cost: surprise in the votes, the path through the body (rig/body_ways.hpp), surprise in the two classes. A limb is
+// a chain of its own: joints of paired classes on opposite sides are never connected, nor is an arm or a leg to a
+// tail or an ear, nor an ear on them; what goes on from a joint of a limb that has its next already costs more
 // (rig/limbs.hpp). Ends are modes of the end votes that are tips.
 //   joints  in   [count], count >= 1, as from find_folded_joints()
 //   kind         of body: its limbs are arms or legs by where they are (rig/limbs.hpp), and the tree is grown by that
-//   interior     of the mesh, or null: ways are straight then, and nothing is covered. Its distances are overwritten
+//   interior     of the mesh, or null: paths are straight then, and nothing is covered. Its distances are overwritten
 //   tree    out  nodes have the joints' numbers; chains of coverage.hpp come after them
 //   arena        scratch, all of it released
 // Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
 sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t count, BodyKind kind,
                        Interior* interior, Arena& arena, FoldedTree* tree);
 
-// The solid cells fall into bands by their way from the body's middle, and bands into regions that hang together (level
-// sets of the distance: Verroust and Lazarus 2000). A region hangs on the one through which it is reached. Branches that are short
-// go; joints stand where branches begin, meet and bend, and where a bone would be too long; leaves become bone ends.
-// All joints are of class other, and no vote speaks for them: their confidence is 0.
-//   folded  the mesh is its own mirror image: only what lies at x >= 0 is looked at, what touches the plane lies on it
+// The solid cells are split into bands by their distance from the body's middle, and bands into connected regions
+// (level sets of the distance: Verroust and Lazarus 2000). The parent of a region is the one through which it is
+// reached. Branches that are short go; joints stand where branches begin, meet and bend, and where a bone would be
+// too long; leaves become bone ends. All joints are of class other, and no vote speaks for them: their confidence is
+// 0.
+//   folded  the mesh is its own mirror image: only x >= 0 is used; what touches the plane lies on it
 //   tree    out   at least one node, the root
 //   arena         scratch, all of it released
 // Returns SINEW_OK or SINEW_ERROR_WORKSPACE.

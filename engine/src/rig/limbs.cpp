@@ -207,7 +207,7 @@ class Limbs {
   bool forks_[kMaxFoldedJoints] = {};
 };
 
-// What goes on from joints of arms.
+// Children of joints of arms.
 class ArmForks {
  public:
   explicit ArmForks(FoldedTree& tree) : tree_(tree) {

@@ -26,17 +26,17 @@ struct Heights {
   int64_t points[kMaxFoldedJoints] = {}, sum[kMaxFoldedJoints] = {};
 };
 
-// What forks from an arm that goes on elsewhere by a surer bone, and lies above the head, is an ear, and its votes for arms are
-// for ears: big ears and bunches of hair that are voted for as arms. For mirrored trees: in others it may be the other arm, raised.
-// Returns whether there was any. The tree is to be grown again then.
+// A branch of an arm that lies above the head is an ear if the arm continues by a surer bone, and its votes for arms
+// are for ears: big ears and bunches of hair that are voted for as arms. For mirrored trees: in others it may be the
+// other arm, raised. Returns whether there was any. The tree is to be grown again then.
 bool free_ears(const Heights& heights, LimbVotes& votes, FoldedTree* tree);
 
-// Classes compete along a whole limb, not joint by joint: all of what hangs on the torso becomes an arm, a leg, a tail, an ear or
-// hair, as most of the votes for its joints say. A thigh of an arm becomes an upper arm, a foot a hand, all of an ear an ear.
-// Tails, ears and hair of an arm or a leg stay, and so do toes of an arm.
-// Where nothing is mirrored all joints of a limb are on one side: of two arms or two legs one is left, the one that
-// begins, or else lies, further to the left of what it hangs on; others are on their own side of that. Of two that
-// fork from one joint the one on the other side hangs on the torso.
+// Classes compete along a whole limb, not joint by joint: each branch of the torso becomes an arm, a leg, a tail, an
+// ear or hair, as most of the votes for its joints say. A thigh of an arm becomes an upper arm, a foot a hand, all of
+// an ear an ear. Tails, ears and hair of an arm or a leg stay, and so do toes of an arm. Without a mirror all joints
+// of a limb are on one side: of two arms or two legs, the left one is the one that begins, or else lies, further to
+// the left of its parent; others are on their own side of that. Of two that fork from one joint, the one on the other
+// side becomes a child of the torso.
 //   votes  in, out: the sums of a limb's joints are added to its first
 void settle_limbs(LimbVotes& votes, FoldedTree* tree);
 

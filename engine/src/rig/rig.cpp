@@ -60,9 +60,9 @@ int64_t doubt_of(const int16_t* outputs) {
   return sum / (2 * kSetPoints);
 }
 
-// Turns the mesh to where the votes are surest: front and back of a mirrored mesh, all four sides of another. Other ways than
-// the one that it has must be better by kRotationGain. The voter keeps the interior of the way that was chosen, and where that
-// is the way that the mesh had, what set 0 said there.
+// Rotates the mesh to the front with the surest votes: front and back of a mirrored mesh, all four sides of another.
+// Rotations other than none must be better by kRotationGain. The voter keeps the interior of the chosen rotation and,
+// without rotation, the votes of set 0.
 constexpr int64_t kRotationGain = 60;  // Q10 of log2
 
 sinew_status choose_facing(const RigPlan& plan, const Kernels& kernels, Arena& arena, PointVoter* voter,
@@ -70,7 +70,7 @@ sinew_status choose_facing(const RigPlan& plan, const Kernels& kernels, Arena& a
   const uint32_t step = frame->folded ? 2 : 1;
   int64_t least = INT64_MAX;
   uint32_t best = 0, at = 0;
-  for (uint32_t tried = step; tried <= 4; tried += step) {  // the way that it has comes last: mostly it stays so
+  for (uint32_t tried = step; tried <= 4; tried += step) {  // no rotation comes last: mostly it stays so
     const uint32_t quarters = tried % 4;
     if (!arena.measuring()) turn_frame(quarters + 4 - at, frame, mesh);
     at = quarters;

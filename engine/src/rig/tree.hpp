@@ -46,14 +46,14 @@ void unfold_tree(const RigOptions& options, FoldedTree* tree, Rig* rig);
 constexpr uint32_t kMaxSpine = 16;
 
 // Replaces the spine joints between the pelvis and the neck or head by `joints` <= kMaxSpine at equal steps: from the
-// first to the last that there were, or, where there were less than two, between the joints below and above. Without
-// neck and head it is the longest chain of spine joints. What hung on one that goes hangs on the nearest. A root is no
-// part of the chain, whatever its class. Fewer are made where the tree would be full; nothing is done where there is no
-// such chain.
+// first to the last that existed, or between the joints below and above if there were less than two. Without neck and
+// head it is the longest chain of spine joints. Children of a removed joint become children of the nearest one. A
+// root is no part of the chain, whatever its class. Fewer are made if the tree would be full; without such a chain
+// the tree is unchanged.
 void set_spine(FoldedTree* tree, uint32_t joints);
 
-// Takes toe joints away, but for a root. A foot that is a leaf now ends where its heaviest toe was; what else hung on a
-// toe hangs on the foot.
+// Removes toe joints, except a root. A foot that becomes a leaf ends at its heaviest toe; other children of a toe
+// become children of the foot.
 void drop_toes(FoldedTree* tree);
 
 }  // namespace sinew::rigging

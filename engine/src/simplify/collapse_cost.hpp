@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What it costs to collapse an edge of a graph in space: how far its middle is from the lines of the edges at both ends.
+// Cost of an edge collapse in a graph in space: how far its middle is from the lines of the edges at both ends.
 #ifndef SINEW_SIMPLIFY_COLLAPSE_COST_HPP
 #define SINEW_SIMPLIFY_COLLAPSE_COST_HPP
 
@@ -30,8 +30,8 @@ struct EdgesAtNode {
   }
 };
 
-// Of the edge from node a, which goes, to node b; `along` is b - a. The samples' part is the distance of both nodes'
-// samples, times the sum of those to all that node a has an edge to.
+// Cost of the edge from node a, which is removed, to node b; `along` is b - a. The samples' part is the distance of
+// both nodes' samples, times the sum of those to all that node a has an edge to.
 inline double collapse_cost(const EdgesAtNode& a, const EdgesAtNode& b, const Vec3d& along, double apart, double sum) {
   const Vec3d half = 0.5 * along;
   return a.error(half) + b.error(half) + kSamplingWeight * apart * sum;

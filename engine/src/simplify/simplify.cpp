@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Of the lowest rank the cheapest bone that may go goes, and with it the one of the same cost on the other side, until none
-// may.
+// Removes the cheapest removable bone of the lowest rank, together with the one of the same cost on the other side,
+// until none may.
 #include "simplify/simplify.hpp"
 
 #include <stddef.h>

@@ -28,7 +28,7 @@
 namespace sinew {
 
 constexpr uint32_t kBatch = 8;  // right-hand sides solved together: the factor is read once for all of them
-// What a joint is to a batch beside a number below kBatch: not in it; listed, to be in one.
+// State of a joint in a batch, besides a number below kBatch: not in it; listed, to be in one.
 constexpr uint8_t kNoMember = 0xFF, kListed = 0xFE;
 constexpr int kSolutionBits = 24;
 constexpr int kFactorDiagonalBits = 56;  // bound of the diagonal, as a power of two
@@ -100,7 +100,7 @@ struct Factor {
   // 22 per vertex at 1k vertices, 36 at 10k, 61 at 400k; characters of 200 to 4000 vertices need at most 31. A tangle
   // of faces that needs more goes to the iterative solver.
   static size_t capacity_for(const Counts& counts);
-  // What solves want may lie over the upper half of `value` and over mark, pattern, column_fill and work behind it,
+  // Memory of solves may overlap the upper half of `value` and mark, pattern, column_fill and work behind it,
   // which factorise() fills anew: allocated after arena.release(solve_mark).
   bool allocate(Arena& arena, const Counts& counts, size_t* solve_mark = nullptr);
   // Elimination tree and column counts. False when the factor would not fit.

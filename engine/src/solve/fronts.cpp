@@ -264,7 +264,7 @@ void FrontFactor::clear(const FrontSolve& solve, const Front& front) {
          static_cast<size_t>(front.pivots) * kFrontBatch * sizeof(solve.x[0]));
 }
 
-// A front that gets a right-hand side passes it on to those on its way to the root, its border's among them.
+// A front that gets a right-hand side passes it on to those on its path to the root, its border's among them.
 void FrontFactor::wake(const FrontSolve& solve, uint32_t index) const {
   for (; index != kNoFront && solve.active[index] == 0; index = fronts_[index].parent) {
     solve.active[index] = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Refined, Jacobi-preconditioned conjugate gradients on integers: the bounded-memory way out for tangled meshes.
+// Refined, Jacobi-preconditioned conjugate gradients on integers: the bounded-memory alternative for tangled meshes.
 #include "solve/iterative.hpp"
 
 namespace sinew {

@@ -39,7 +39,7 @@ int32_t cotangent_of(const Sine& sine, int64_t cosine) {  // below 2^42
   return static_cast<int32_t>((dividend < 0 ? dividend - half : dividend + half) / length);
 }
 
-// What a triangle adds to its edges, each in both directions.
+// A triangle's contribution to its edges, each in both directions.
 struct TriangleEdges {
   int32_t cotangents[3];  // of the corners
   uint32_t edges[3][2];   // opposite to the corners
@@ -59,7 +59,7 @@ struct LaplacianScratch {
   }
 };
 
-// Of a triangle so flat that a cotangent was cut to the limit: the obtuse corner's becomes what belongs to the other
+// For a triangle so flat that a cotangent was cut to the limit: the obtuse corner's becomes what belongs to the other
 // two, because products of the three in pairs sum to 1. Without it the triangle's part of the matrix is not positive.
 void fit_obtuse_corner(int32_t* cotangents) {
   constexpr int32_t kLimit = static_cast<int32_t>(kCotangentLimit * (1 << kEdgeWeightBits));

@@ -43,8 +43,8 @@ class Dissection {
 
   // About the median of the coordinates along an axis, below the highest one, so that no side is empty.
   int32_t median(VertexRange region, int axis, int32_t high) const {
-    uint32_t
-        samples[kMostSamples];  // with the sign turned, in the same order: unsigned numbers are sorted elsewhere, too
+    uint32_t samples
+        [kMostSamples];  // with the sign bit flipped, in the same order: unsigned numbers are sorted elsewhere, too
     constexpr uint32_t kSign = 0x80000000u;
     const uint32_t length = region.end - region.begin;
     // An eighth of the vertices, within these bounds: more would not balance the halves much better.

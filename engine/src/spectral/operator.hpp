@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the spectral stage takes eigenpairs of: cotangent Laplacian and lumped masses of the welded mesh, in integers.
+// The operator of the spectral stage: cotangent Laplacian and lumped masses of the welded mesh, in integers.
 #ifndef SINEW_SPECTRAL_OPERATOR_HPP
 #define SINEW_SPECTRAL_OPERATOR_HPP
 

@@ -11,7 +11,7 @@ namespace sinew {
 constexpr uint32_t kTimeSamples = 33;  // 2^-3 .. 2^5, four per octave
 constexpr uint32_t kTimeStride = 6;    // of the samples that are channels: 2^-3, 2^-1.5, 1, 2^1.5, 2^3, 2^4.5
 
-// What every vertex of a part is multiplied with.
+// Factors of every vertex of a part.
 class Signatures {
  public:
   void prepare(const Eigenpairs& pairs);

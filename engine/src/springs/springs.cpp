@@ -149,7 +149,7 @@ void read_pose(const SpringState& s, const float* rotations, const float* transl
   }
 }
 
-// Of the last frame's pose and this one's.
+// The pose between the last frame's and this one's.
 const Placement* pose_between(const SpringState& s, double share) {
   if (share >= 1) return s.now;
   for (uint32_t i = 0; i < s.order_count; ++i) {
@@ -164,7 +164,7 @@ const Placement* pose_between(const SpringState& s, double share) {
   return s.between;
 }
 
-// Roots are put elsewhere, or hips below a root; other joints keep their places.
+// Roots may be translated, or hips below a root; other joints keep their translations.
 bool has_jumped(const SpringState& s) {
   for (uint32_t i = 0; i < s.order_count; ++i) {
     const uint32_t j = s.order[i];

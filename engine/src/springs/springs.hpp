@@ -30,7 +30,7 @@ struct SpringOptions {
 // Returns SINEW_OK, SINEW_ERROR_ARGUMENT, SINEW_ERROR_NOT_FINITE or SINEW_ERROR_VERSION.
 sinew_status read_springs_options(const sinew_springs_options* options, SpringOptions* out);
 
-// A joint of a chain that turns, its numbers, and where its tail is.
+// A joint of a chain that rotates, its parameters, and the position of its tail.
 struct SpringHead {
   uint32_t joint = 0, tail = 0, chain = 0;
   double hit_radius = 0, stiffness = 0, gravity_power = 0, keep = 0;  // keep: 1 - drag
@@ -65,7 +65,7 @@ struct SpringState {
   int32_t* parents = nullptr;  // [J]
   uint32_t* order = nullptr;   // [J] of joints that matter: parents first, colliders before what touches them
   uint32_t order_count = 0;
-  int32_t* heads_of = nullptr;      // [J] the head that turns a joint, or -1
+  int32_t* heads_of = nullptr;      // [J] the head that rotates a joint, or -1
   int32_t* colliders_of = nullptr;  // [J] the first collider of a joint, or -1
   SpringHead* heads = nullptr;      // [P]
   uint32_t head_count = 0;
@@ -75,7 +75,7 @@ struct SpringState {
   Placement* before = nullptr;          // [J] the last frame's pose, local
   Placement* now = nullptr;             // [J] this frame's pose, local
   Placement* between = nullptr;         // [J] the pose of a step, local
-  Placement* worlds = nullptr;          // [J] in the world, chains turned
+  Placement* worlds = nullptr;          // [J] in the world, chains rotated
   Quat* turned = nullptr;               // [P] local rotations of heads
   bool started = false;
   double time = 0;  // since the last step, below one
@@ -89,7 +89,7 @@ sinew_status fill(const sinew_skeleton& skeleton, const sinew_spring_set& set, S
 void sort_joints(SpringState* state, uint8_t* needed, uint8_t* done);
 // One step at a local pose, or a share of one: springs/step.cpp. keep: the state is the step's afterwards; else it stays.
 void step(SpringState* state, const Placement* pose, double share, bool keep);
-// The state of chains that hang as a local pose has them, without velocity.
+// The state of chains at rest in a local pose, without velocity.
 void settle(SpringState* state, const Placement* pose);
 // As sinew_springs_frame() after its checks.
 void play_frame(SpringState* state, double seconds, const float* rotations, const float* translations,

@@ -61,7 +61,8 @@ bool push(const SpringCollider& c, double hit_radius, Vec3d* p) {
   return true;
 }
 
-// The same along a direction: the nearer of the two places on that line where the ball touches. Shapes that hold it inside push as ever.
+// The same along a direction: the nearer of the two points on that line where the ball touches. Shapes that hold it
+// inside push as ever.
 bool push_along(const SpringCollider& c, double hit_radius, Vec3d line, Vec3d* p) {
   if (c.shape != SINEW_COLLIDER_SPHERE && c.shape != SINEW_COLLIDER_CAPSULE) return push(c, hit_radius, p);
   const Vec3d away = away_from(c, *p);
@@ -111,7 +112,7 @@ class Step {
   }
 
  private:
-  // The turn of a head in its own axes. world: of the head as the pose has it.
+  // The rotation of a head in its own axes. world: of the head as the pose has it.
   Quat swing(SpringHead* head, const Placement& world) {
     const Vec3d tail = tail_in_pose(s_, *head, pose_);
     const double length = sinew::length(tail);

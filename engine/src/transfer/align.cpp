@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kShortest = 1e-3;                     // of the longest side: a shorter bone has no direction
 constexpr double kLeastScale = 0.6, kMostScale = 1.7;  // of a bone, against the whole
-constexpr double kHold = 0.05;                         // how strongly several bones stay near the parent's turn
+constexpr double kHold = 0.05;                         // how strongly several bones stay near the parent's rotation
 constexpr double kTurned = 2.0;                        // trace of a rotation by 60 degrees
 constexpr double kClearGap = 0.05;                     // of best_rotation(): joints on a line have no unique rotation
 

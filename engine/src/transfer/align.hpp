@@ -33,7 +33,7 @@ struct Alignment {
 //   sums  row-major sum of v u^T
 //   gap   out, when not null: by how much the best is better than the second, 0..1; near 0 the vectors lie on a line
 Mat3 best_rotation(const Mat3& sums, double* gap);
-// The smallest rotation that turns u to v's direction; any about 180 degrees.
+// The smallest rotation of u to v's direction; any axis for 180 degrees.
 Mat3 rotation_between(Vec3d u, Vec3d v);
 
 }  // namespace sinew::transferring

@@ -17,7 +17,7 @@ struct MatchedPoint {
 
 // How normals count: the cost of a point is its distance times 1 + (1 - cosine).
 enum class Facing {
-  kSame,   // the other way round costs three times as much
+  kSame,   // the reverse costs three times as much
   kEither  // cloth and what is below it may face against each other; costs as kSame, but `cosine` has no sign
 };
 

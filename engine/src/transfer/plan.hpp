@@ -10,7 +10,7 @@ namespace sinew::transferring {
 
 constexpr uint32_t kNothingBound = 2;  // sinew_transfer_outputs::bound_by
 
-// The counts of meshes and skeletons that a transfer is planned for. Arrays are not looked at.
+// The counts of meshes and skeletons that a transfer is planned for. Arrays are not read.
 struct TransferInput {
   const sinew_bound_character& source;
   const sinew_mesh& target;

@@ -83,7 +83,7 @@ bool SparseLdl::factorise(uint32_t rows, const Row& row) {
     mark_[k] = k;
     fill_[k] = 0;
     row(k, [&](uint32_t column, double) {
-      // Row k of L holds every node on the way up the elimination tree from its entries.
+      // Row k of L holds every node on the path up the elimination tree from its entries.
       for (uint32_t i = column; i < k && mark_[i] != k; i = parent_[i]) {
         if (parent_[i] == kNone) parent_[i] = k;
         ++fill_[i];
@@ -127,7 +127,7 @@ bool SparseLdl::factorise(uint32_t rows, const Row& row) {
       value_[end] = l;
       ++fill_[i];
     }
-    // What rounding, or a matrix that is not definite, leaves too small.
+    // Pivots that are too small by rounding, or because the matrix is not definite.
     const double least = 1e-13 * largest + 1e-280;
     diagonal_[k] = d > least ? d : least;
   }
@@ -160,7 +160,7 @@ inline void SparseLdl::find_rates(const double* weights) {
   for (uint32_t p = 0; p < start_[rows_]; ++p) rate_[p] = 0;
   for (uint32_t k = 0; k < rows_; ++k) {
     const double d = diagonal_[k], d_rate = diagonal_rate_[k];
-    // Of an entry before its division, y = l d, the rate comes in; that of l goes out.
+    // In: the rate of an entry before its division, y = l d; out: that of l.
     for (uint32_t a = start_[k]; a < start_[k + 1]; ++a) {
       const double l = value_[a], y_rate = rate_[a], l_rate = (y_rate - l * d_rate) / d;
       diagonal_rate_[row_[a]] -= l_rate * (l * d) + l * y_rate;

@@ -112,7 +112,7 @@ class Transfer {
     }
     if (plan_.garment) return;
     const auto moves = [&](uint32_t j) { return source_flags_[j] == 0; };
-    // Of several joints with one counterpart any that moves something is enough.
+    // Among several joints with one counterpart, one with weight is enough.
     for (uint32_t j = 0; j < source.joint_count; ++j) {
       if (pair_.map.same[j] >= 0 && !moves(j)) target_flags_[pair_.map.same[j]] = SINEW_JOINT_NEVER;
     }

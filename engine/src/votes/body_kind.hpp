@@ -13,15 +13,15 @@ namespace sinew::rigging {
 enum class BodyKind : uint8_t { kAny, kBiped, kQuadruped, kBird, kFish, kSnake, kManyLegged };
 constexpr uint32_t kBodyKinds = 7;
 
-// What hangs on a torso. Toes are of a leg.
+// The limbs of a torso. Toes belong to a leg.
 enum class LimbClass : uint8_t { kArm, kLeg, kTail, kEar, kHair, kNone };
 constexpr uint32_t kLimbs = 5;
 LimbClass limb_of(uint32_t joint_class);
 // The same joint of another limb: the foot of an arm is a hand. Classes of no limb stay.
 uint8_t class_in_limb(LimbClass limb, uint8_t joint_class);
 
-// What a joint is in such a body: arms of birds and all limbs of fish are wings, snakes' limbs are spine, all limbs of
-// the many-legged are legs. Other classes stay.
+// The class of a joint in such a body: arms of birds and all limbs of fish are wings, snakes' limbs are spine, all
+// limbs of the many-legged are legs. Other classes stay.
 uint8_t class_in_body(BodyKind kind, uint8_t joint_class);
 
 // Gives the chances of classes that such a body does not have to those that represent them.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Depth by two chamfer passes, ways by a queue of buckets.
+// Depth by two chamfer passes, paths by a queue of buckets.
 #include "votes/interior.hpp"
 
 #include "core/vector_math.hpp"
@@ -92,7 +92,7 @@ uint32_t middle_cell(const Interior& interior) {
   return best;
 }
 
-// Cells that wait, by their way so far: rings of doubly linked lists, as many as a step can cost.
+// Cells that wait, by their path length so far: rings of doubly linked lists, as many as a step can cost.
 constexpr uint32_t kBuckets = 9 * kOutsideCost + 1;
 
 struct Queue {
@@ -116,7 +116,8 @@ struct Queue {
   }
 };
 
-// Ends with the last solid cell: outside, where it costs most to walk, ways are known near the body only, and not the least.
+// Ends with the last solid cell: outside, where it costs most to walk, paths are known near the body only, and not
+// the shortest.
 //   owner  null, or as divide_body() says
 void find_distances(const Steps& steps, const WayStart* starts, uint32_t count, Queue* queue, Interior* interior,
                     uint8_t* owner) {

@@ -47,11 +47,12 @@ constexpr uint8_t kNoOwner = 0xFF;
 
 // Divides the body among starts. Every solid cell gets its distance through the body to the nearest start, which replaces the
 // distance from the middle, and the owner of that start. Of two starts in one cell the first counts.
-//   owner  out  [cells] kNoOwner where no way was needed
+//   owner  out  [cells] kNoOwner where no path was needed
 // Scratch is taken from the arena and released. Returns arena.ok().
 bool divide_body(const WayStart* starts, uint32_t count, Arena& arena, Interior* interior, uint8_t* owner);
 
-// Calls visit(a, b, distance) for neighboring cells that two owners have, with the way from start to start over them.
+// Calls visit(a, b, distance) for neighboring cells that two owners have, with the path length from start to start
+// over them.
 template <class Visit>
 void each_border(const Interior& interior, const uint8_t* owner, Visit&& visit);
 

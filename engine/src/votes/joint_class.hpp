@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a joint is for: the classes that skeletons of all makers are compared and predicted in.
+// Joint classes in which skeletons of all makers are compared and predicted.
 #ifndef SINEW_VOTES_JOINT_CLASS_HPP
 #define SINEW_VOTES_JOINT_CLASS_HPP
 

@@ -26,7 +26,7 @@ struct KernelTable {
 };
 constexpr KernelTable kKernel;
 
-// What the points around a position sum up to. Of a point: weight and kernel at most 2^15, offset below 2^17 (three
+// Sums over the points around a position. Of a point: weight and kernel at most 2^15, offset below 2^17 (three
 // bandwidths). With mirror images there are 2^14 of them, so a sum stays below 2^61.
 struct Pull {
   int64_t mass = 0;

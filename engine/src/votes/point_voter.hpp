@@ -9,7 +9,7 @@
 
 namespace sinew::rigging {
 
-// Another network in the model's place, for measuring one in float: fills [kSetPoints x kRigOutputs] rows of a set.
+// Another network instead of the model's, for measuring one in float: fills [kSetPoints x kRigOutputs] rows of a set.
 struct OtherNetwork {
   sinew_status (*run)(void* user, const PointSet& set, int16_t* rows) = nullptr;
   void* user = nullptr;

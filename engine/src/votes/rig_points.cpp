@@ -22,7 +22,7 @@ void span(Vec3i n, Vec3i* u, Vec3i* w) {
 constexpr uint32_t kMarches = 9;
 constexpr uint32_t kLongestMarch = 4 * kRigCells;  // half cells: twice the longest side
 
-// Median way of the ray straight in and of eight at 30 degrees around it, half cells.
+// Median length of the ray straight in and of eight at 30 degrees around it, half cells.
 uint32_t thickness(const Interior& interior, Vec3i p, Vec3i normal, uint32_t straight) {
   Vec3i u, w;
   span(normal, &u, &w);

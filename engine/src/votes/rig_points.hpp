@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a "rig" network sees: sets of surface points with what lies behind them, and who is near whom.
+// Input of a "rig" network: sets of surface points with the interior behind them, and their neighbors.
 #ifndef SINEW_VOTES_RIG_POINTS_HPP
 #define SINEW_VOTES_RIG_POINTS_HPP
 
@@ -17,7 +17,7 @@ enum RigChannel : uint32_t {
   kRigMedial = 6,     // 3: 2 m, the middle of what lies behind the point
   kRigThickness = 9,  // 4 t
   kRigDepth = 10,     // 8 times the depth of m below the surface
-  kRigExtents = 11,   // 6: 4 times the way from m to the surface along +x -x +y -y +z -z
+  kRigExtents = 11,   // 6: 4 times the distance from m to the surface along +x -x +y -y +z -z
   kRigDistance = 17,  // from the body's middle, through the body
   kRigRelative = 18,  // 3: (p - mean) / (2 rms)
   kRigBody = 21,      // 6: 1.5 times box x, y, z, rms, mean y, mean z; the same for all points of a set

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What points of the surface say of the bones that move them: what a "rig" network's rows become, and joints are found from.
+// Votes of surface points for the bones that move them: made from a "rig" network's rows, used to find joints.
 #ifndef SINEW_VOTES_VOTES_HPP
 #define SINEW_VOTES_VOTES_HPP
 

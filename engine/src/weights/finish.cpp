@@ -14,7 +14,7 @@ namespace {
 
 constexpr uint32_t kRowPiece = 256;  // vertices that a lane takes at a time
 
-// What the network or the heat field says of a vertex of the surface, in kRowSlots slots.
+// The weights of a vertex of the surface by the network or the heat field, in kRowSlots slots.
 void surface_row(const Prediction& p, const RowOptions& options, uint32_t vertex, uint16_t* joints, uint32_t* weights) {
   if (p.logits == nullptr) return heat_row(p.heat, vertex, joints, weights);
   for (uint32_t i = 0; i < kRowSlots; ++i) {

@@ -10,7 +10,7 @@
 
 namespace sinew {
 
-// What the caller wants of the rows; see sinew_bind_options for each.
+// The caller's options for the rows; see sinew_bind_options for each.
 struct RowOptions {
   uint32_t influence_count = 4;  // slots of a row
   uint32_t weight_format = SINEW_WEIGHT_UNORM16;
@@ -23,7 +23,7 @@ struct RowOptions {
   uint32_t answer_count = 0;
   uint32_t question_count = 0;
 
-  // Whether parts are looked at one by one.
+  // Whether each part is processed on its own.
   bool asks() const { return kHasExtras && (answer_count > 0 || question_count > 0); }
   // Whether anything changes rows between prediction and influences. If so, edit_rows() must run before write_rows().
   bool edits_rows() const {

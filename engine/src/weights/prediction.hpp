@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What rows are made from: logits of a network or a heat field of the surface, and how a row of the caller's welded
+// Input of rows: logits of a network or a heat field of the surface, and how a row of the caller's welded
 // mesh comes from rows of the surface.
 #ifndef SINEW_WEIGHTS_PREDICTION_HPP
 #define SINEW_WEIGHTS_PREDICTION_HPP

@@ -7,7 +7,7 @@
 
 namespace sinew {
 
-// What is worth asking, kept in the workspace until the outputs are written.
+// Questions for the user, kept in the workspace until the outputs are written.
 struct Questions {
   uint32_t count = 0;
   sinew_question* questions = nullptr;  // [most] `vertex` and `vertex_count` are filled by write_questions()

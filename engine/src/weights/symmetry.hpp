@@ -38,7 +38,7 @@ sinew_status find_symmetry(const Mesh& mesh, const Skeleton& skeleton, const Cou
 // Where one of two partners has a given row and the other has none, the other is given the mirror image.
 void mirror_given_rows(const Mesh& mesh, const Symmetry& symmetry, GivenRows* given);
 // Makes the rows of partners mirror images: both become the mean of one and the other's mirror image.
-// Given rows come into place. Weight of joints without a partner is dropped. Vertices
+// Given rows are restored. Weight of joints without a partner is dropped. Vertices
 // that have no other weight, or of which one has a given row, are no partners any more: kNoPartner in `symmetry`. A
 // vertex that is its own partner keeps at most `influence_count` joints; of joints that are partners it keeps both or
 // none.

@@ -9,7 +9,7 @@ namespace {
 constexpr uint32_t kVersion = 7500;
 constexpr size_t kHead = 3 * 8 + 1;  // of a node before its name; so many zeros end a list
 
-// What stands behind the nodes; it goes with the file's id and date.
+// The footer behind the nodes; it depends on the file's id and date.
 constexpr std::array<uint8_t, 16> kFoot = {0xfa, 0xbc, 0xab, 0x09, 0xd0, 0xc8, 0xd4, 0x66,
                                            0xb1, 0x76, 0xfb, 0x83, 0x1c, 0xf7, 0x26, 0x7e};
 constexpr std::array<uint8_t, 16> kEnd = {0xf8, 0x5a, 0x8c, 0x6a, 0xde, 0xf5, 0xd9, 0x7e,

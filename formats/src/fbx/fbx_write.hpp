@@ -20,7 +20,7 @@ namespace sinew {
 // Throws Error naming `path` for accessors that are broken.
 std::vector<uint8_t> fbx_of(const std::string& path, const tinygltf::Model& model);
 
-// Objects of an FBX and what they hang on, and the parts of a glTF document that become them.
+// Objects of an FBX and their connections, and the parts of a glTF document that become them.
 
 constexpr double kFbxUnits = 100;            // centimeters a meter: the file's UnitScaleFactor is 1
 constexpr double kFbxTicks = 46186158000.0;  // a second
@@ -37,7 +37,7 @@ struct FbxScene {
   void connect(int64_t child, int64_t parent, const char* property);
 };
 
-// What becomes a model of which node.
+// Models of nodes and meshes.
 struct FbxModels {
   std::vector<int64_t> nodes;   // [N] model of a node, 0: none
   std::vector<int64_t> meshes;  // [N] model that has the node's mesh, 0: none
@@ -49,7 +49,7 @@ struct FbxModels {
 
 // Translation, rotation and scale as FBX has them; rotations are in degrees about x, then y, then z.
 std::array<double, 3> fbx_euler(const Quaternion& rotation);
-// Of the angles that are the same rotation those nearest to `before`.
+// Among the angles of one rotation those nearest to `before`.
 std::array<double, 3> fbx_euler(const Quaternion& rotation, const std::array<double, 3>& before);
 Affine in_fbx_units(Affine m);
 
@@ -63,7 +63,7 @@ FbxModels add_fbx_models(const std::string& whose, const tinygltf::Model& model,
 void add_fbx_animations(const std::string& whose, const tinygltf::Model& model, const FbxModels& models,
                         FbxScene* scene);
 
-// The geometry of a node's mesh, with the mesh's space for `frame`; skin and shapes hang on it.
+// The geometry of a node's mesh, with the mesh's space for `frame`; skin and shapes are connected to it.
 //   clusters  models of the joints of the node's skin, or empty
 //   channels  gets one of each shape
 // Returns its id, 0 for a mesh without triangles.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ways in by file name: which reader, and which skeleton belongs to which mesh.
+// Chooses the reader by file name, and finds which skeleton belongs to which mesh.
 #include <filesystem>
 
 #include "sinew_formats/error.hpp"
@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-// Read as glTF, or turned into one.
+// Read as glTF, or converted to it.
 bool is_scene(const std::string& path) { return has_use(path, kReadsWhole); }
 
 }  // namespace
@@ -23,7 +23,7 @@ Character read_mesh(const std::string& path) {
 }
 
 void read_skeleton(const std::string& path, bool with_skin, Character* character) {
-  character->meshes.clear();  // they hung on the joints of another skeleton
+  character->meshes.clear();  // they were bound to another skeleton
   character->vertex_meshes.clear();
   if (has_extension(path, ".txt")) return read_rig(path, with_skin, character);
   if (is_motion_alone(path)) {

@@ -27,7 +27,7 @@ struct Track {
   }
   // The first four numbers of key k.
   std::array<double, 4> key(size_t k) const;
-  // Of rotations, which have width 4, along the shortest arc; they are not normalized where the track is cubic.
+  // Rotations, of width 4, go along the shortest arc; they are not normalized where the track is cubic.
   std::array<double, 4> sample(double seconds) const;
 };
 

@@ -182,7 +182,7 @@ class BindPoseFinder {
     }
   }
 
-  // Of the joints with weight the one with the fewest nodes above it.
+  // The joint with weight that has the fewest nodes above it.
   size_t top_joint(size_t s) const {
     size_t best = heaviest_[s].front(), fewest = SIZE_MAX;
     for (const size_t j : heaviest_[s]) {

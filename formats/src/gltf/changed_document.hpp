@@ -30,7 +30,7 @@ void move_vertices(const std::string& where, const tinygltf::Primitive& primitiv
 
 // A copy of a character's document whose vertices are moved; joints, if it has any, stay behind.
 //   matrices   [V] of the Character's vertices, world space
-//   with_joints  meshes without a skin that hang on a joint stay as they are, because moved_joints() takes them along
+//   with_joints  meshes without a skin below a joint stay as they are, because moved_joints() moves them
 // Throws Error where the file's own skins know no common rest pose.
 std::shared_ptr<const GltfSource> moved_document(const std::string& name, const GltfSource& source,
                                                  const std::vector<Affine>& matrices, bool with_joints);

@@ -206,7 +206,7 @@ Affine skin_frame(const std::string& whose, const tinygltf::Model& model, const 
   const auto most =
       std::max_element(frames.begin(), frames.end(), [](const Frame& a, const Frame& b) { return a.agree < b.agree; });
   if (most == frames.end()) return kIdentity;
-  // Shear has no place among translations, rotations and scales: then the mesh stands at the origin.
+  // Translation, rotation and scale cannot express shear: then the mesh stands at the origin.
   return is_near(parts_of(most->at, NodeParts()).affine(), most->at) ? most->at : kIdentity;
 }
 

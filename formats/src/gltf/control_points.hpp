@@ -19,7 +19,8 @@ struct ControlShape {
   std::vector<double> moves, normals;  // [points x 3]
 };
 
-// Points are vertices that agree in place, weights and shapes; normals, texture coordinates and colors are their corners'.
+// Points are vertices of equal position, weights and shapes; normals, texture coordinates and colors are their
+// corners'.
 struct ControlPoints {
   std::string name, where;  // `where` is for messages
   bool has_normals = true, has_uvs = true, has_colors = true;
@@ -32,7 +33,7 @@ struct ControlPoints {
   std::vector<ControlShape> shapes;
 };
 
-// Of a node that has a mesh. Throws Error naming `whose` for accessors that are broken.
+// The points of a node that has a mesh. Throws Error naming `whose` for accessors that are broken.
 ControlPoints control_points(const std::string& whose, const tinygltf::Model& model, size_t node);
 
 // [N] 1: a joint of a skin, or its descendant without a mesh; without any skin a node without a mesh below.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Each joint's world transform W(t) becomes G W(t) C: G turns the whole, C gives the joint its axes. So a node's own transform L becomes
-// A L C, where A is G for a node without a parent and the parent's C^-1 else; an inverse bind matrix B becomes C^-1 B, and skinning gives
-// G W C C^-1 B = G W B. A rotation key q becomes A q C, which is linear in q: tangents of cubic keys go the same way.
+// Each joint's world transform W(t) becomes G W(t) C: G rotates the whole, C gives the joint its axes. So a node's
+// own transform L becomes A L C, where A is G for a node without a parent and the parent's C^-1 else; an inverse bind
+// matrix B becomes C^-1 B, and skinning gives G W C C^-1 B = G W B. A rotation key q becomes A q C, which is linear
+// in q: tangents of cubic keys transform alike.
 
 #include "sinew_formats/document_form.hpp"
 
@@ -108,7 +109,7 @@ class FormApplier {
                        " axes: nonuniform scale or mirrored");
   }
 
-  // What stands before a node's own transform: A.
+  // The factor before a node's own transform: A.
   Rotation before(size_t node) const {
     const int parent = nodes_.parents[node];
     return parent < 0 ? form_.turn : transposed(after_[static_cast<size_t>(parent)]);
@@ -251,7 +252,8 @@ class FormApplier {
       turn_offset(vrm[head].get<size_t>(), "offsetFromHeadBone", &vrm["lookAt"]);
   }
 
-  // A turn is axes q rest^-1 axes^-1 (spec/correctives.md): with q and rest both A q C it stays where axes become axes A^-1.
+  // A rotation is axes q rest^-1 axes^-1 (spec/correctives.md): with q and rest both A q C it stays where axes become
+  // axes A^-1.
   void write_correctives() {
     if (!document_.contains("meshes")) return;
     for (Json& mesh : document_["meshes"]) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What readers and writers ask of a parsed glTF document: node tree, accessor values, bind matrices.
+// Queries of readers and writers on a parsed glTF document: node tree, accessor values, bind matrices.
 #include "gltf/gltf_model.hpp"
 
 #include <algorithm>

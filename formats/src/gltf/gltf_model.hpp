@@ -50,7 +50,7 @@ std::vector<uint32_t> accessor_integers(const std::string& where, const tinygltf
 std::vector<Affine> inverse_bind_matrices(const std::string& where, const tinygltf::Model& model,
                                           const tinygltf::Skin& skin);
 
-// Of lists, strips and fans, in the order in which a Character has them as faces.
+// Triangles of lists, strips and fans, in the order of a Character's faces.
 //   vertex_count  of the primitive
 // Throws Error naming `where` for indices that name no vertex, or a list that is not in threes.
 std::vector<std::array<uint32_t, 3>> primitive_triangles(const std::string& where, const tinygltf::Model& model,

@@ -119,7 +119,7 @@ class MorphWriter {
     }
   }
 
-  // What is added to a normal of the file, in the mesh's own space.
+  // The displacement of a normal of the file, in the mesh's space.
   std::optional<std::array<float, 3>> turn_of(uint32_t vertex, const Point3& posed, const Affine& frame,
                                               const float* normal) const {
     const Point3& rest = normals_.rest(vertex);
@@ -245,7 +245,7 @@ class MorphWriter {
     }
   }
 
-  // Where the turn of a joint is read off: its node, the rotation that the node has at rest, and the axes of what is above it.
+  // Input of a joint's rotation: its node, the node's rotation at rest, and the axes of its parent.
   Json turning_node(size_t joint) const {
     const size_t node = static_cast<size_t>(joints_.nodes[joint]);
     Affine above = kIdentity;
@@ -259,7 +259,7 @@ class MorphWriter {
     const Affine& m = above;
     const double volume =
         m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]);
-    if (volume < 0)  // a turn is the same in axes that all point the other way
+    if (volume < 0)  // a rotation is the same in axes that all point in opposite directions
       for (size_t r = 0; r < 3; ++r)
         for (size_t c = 0; c < 3; ++c) above[4 * r + c] = -above[4 * r + c];
     return {{"joint", character_.joints[joint].name},

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double kFewestFps = 24, kMostFps = 240, kPlainFps = 30;
 
-// What an animation does to one node.
+// The channels of an animation for one node.
 struct NodeTracks {
   const Track *translation = nullptr, *rotation = nullptr, *scale = nullptr;
 };

@@ -120,7 +120,7 @@ class MotionWriter {
     }
     const Quaternion& q = parts.rotation;
     std::array<float, 4> rotation{};
-    // Of the two that are the same turn the one near the frame before; at first the one with w above 0.
+    // Of the two quaternions of one rotation, the one near the frame before; at first the one with w above 0.
     double side = q[3];
     if (!track->rotations.empty()) {
       side = 0;

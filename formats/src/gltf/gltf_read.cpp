@@ -20,8 +20,8 @@ namespace {
 
 using Row = std::vector<Influence>;
 
-// What makes two vertices of a mesh node one: the same position in the file and the same influences. UVs, normals and
-// colors may differ (seams); so may morph targets, which move both sides of a seam alike.
+// Key by which two vertices of a mesh node are one: the same position in the file and the same influences. UVs,
+// normals and colors may differ (seams); so may morph targets, which move both sides of a seam alike.
 std::string weld_key(const float* position, const Row& row) {
   float xyz[3];
   for (size_t c = 0; c < 3; ++c) xyz[c] = position[c] + 0.0f;  // -0 becomes 0

@@ -314,7 +314,7 @@ class SkinWriter {
     box_size_ = static_cast<double>(box.diagonal());
   }
 
-  // Of a joint's and a skin's transform, over the character's box (see gltf_model.hpp).
+  // Whether a joint's and a skin's transform agree over the character's box (see gltf_model.hpp).
   bool same_pose(const Affine& a, const Affine& b) const {
     const std::optional<Affine> back = inverse(b);
     if (!back) return false;

@@ -43,7 +43,7 @@ enum Header : size_t {
   kChannelCount = 96,
   kFrames = 100
 };
-// What a vertex array holds, and in which kind of number.
+// Contents and number type of a vertex array.
 enum ArrayType : uint32_t { kPosition = 0, kTexcoord = 1, kNormal = 2, kBlendIndices = 4, kBlendWeights = 5 };
 enum NumberFormat : uint32_t { kUnsignedByte = 1, kUnsignedInt = 5, kFloat = 7 };
 

@@ -26,7 +26,7 @@ struct NodeParts {
   }
 };
 
-// Of a matrix that shears as much as parts can say.
+// For a matrix with shear, the nearest parts.
 inline NodeParts parts_of(const tinygltf::Node& node) {
   NodeParts parts;
   if (node.matrix.size() == 16) {
@@ -51,7 +51,7 @@ inline NodeParts parts_of(const tinygltf::Node& node) {
   return parts;
 }
 
-// Of a transform that an animation gives a node whose own parts are `rest`: scales keep their signs.
+// The parts of an animated transform of a node with the parts `rest`: scales keep their signs.
 inline NodeParts parts_of(Affine local, const NodeParts& rest) {
   NodeParts parts;
   for (size_t c = 0; c < 3; ++c) {

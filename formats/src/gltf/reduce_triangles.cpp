@@ -21,7 +21,8 @@ namespace {
 
 #ifdef SINEW_HAS_MESHOPT
 
-// Corners of one place in a primitive are one vertex for the simplifier where they differ by no more than this. What differs more is a seam.
+// Corners at one position of a primitive are one vertex for the simplifier if they differ by no more than this. What
+// differs more is a seam.
 constexpr float kNormalCosine = 0.94f;  // 20 degrees
 constexpr float kNear = 1e-3f;          // of texture coordinates and colors
 // A level with more triangles than this many times the wanted is made again without seams.
@@ -152,7 +153,8 @@ class Reducer {
     return left;
   }
 
-  // Of each corner the copy whose normal looks as the triangle does and whose texture goes on from the other corners'.
+  // For each corner the copy whose normal fits the triangle and whose texture coordinates continue those of the other
+  // corners.
   void choose_copies(std::vector<unsigned>* corners) const {
     for (size_t i = 0; i + 2 < corners->size(); i += 3) {
       const auto range = std::find_if(ranges_.begin(), ranges_.end(), [&](const Range& one) {

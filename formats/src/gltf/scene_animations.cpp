@@ -104,7 +104,7 @@ class AnimationConverter {
       shapes = shapes || part->mNumMeshChannels + part->mNumMorphMeshChannels > 0;
     }
     find_start(channels);
-    // Of parts that move the same node the one with most keys does.
+    // If several parts move the same node, the one with most keys wins.
     if (parts_.size() > 1)
       std::stable_sort(channels.begin(), channels.end(),
                        [](const aiNodeAnim* a, const aiNodeAnim* b) { return key_count(*a) > key_count(*b); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene's nodes, which of them are joints by what they move and where they hang, and its materials as glTF has them.
+// A scene's nodes, which of them are joints, by what they move and their parents, and its materials as glTF has them.
 #include "gltf/scene_nodes.hpp"
 
 #include <algorithm>

@@ -20,8 +20,8 @@ struct LimitAxes {
 };
 LimitAxes axes_along(const Point3& bone) {
   const Point3 y = unit(bone);
-  if (y[1] < -1 + 1e-9) return {{-1, 0, 0}, {0, 0, 1}};  // half a turn about z
-  // The arc from +y turns about (z, 0, -x).
+  if (y[1] < -1 + 1e-9) return {{-1, 0, 0}, {0, 0, 1}};  // 180 degrees about z
+  // The arc from +y is about (z, 0, -x).
   const double scale = 1 / (1 + y[1]);
   return {{1 - scale * y[0] * y[0], -y[0], -scale * y[0] * y[2]},
           {-scale * y[0] * y[2], -y[2], 1 - scale * y[2] * y[2]}};

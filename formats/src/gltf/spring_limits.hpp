@@ -21,7 +21,7 @@ struct SpringLimit {
   Point3 hinge = {};  // in the node's axes
   bool known = true;  // false: a limit that is neither a cone nor a hinge
 };
-// Of the extension's object. Throws nlohmann::json::exception where it is broken.
+// Reads the extension's object. Throws nlohmann::json::exception where it is broken.
 SpringLimit read_spring_limit(const nlohmann::json& extension, const Point3& bone);
 
 }  // namespace sinew

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// VRMC_springBone 1.0 with VRMC_springBone_extended_collider 1.0 (github.com/vrm-c/vrm-specification), and what VRM 0.x has in their place, as Springs.
+// VRMC_springBone 1.0 with VRMC_springBone_extended_collider 1.0 (github.com/vrm-c/vrm-specification), and the
+// equivalent of VRM 0.x, as Springs.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -193,7 +194,7 @@ class SpringReader {
     return joint;
   }
 
-  // Limits of the joints that turn, which need the chain's bones.
+  // Limits of the joints that rotate, which need the chain's bones.
   void read_limits(const Json& joints, const std::string& called, SpringChain* chain) {
     size_t unknown = 0;
     for (size_t i = 0; i < chain->turning_joints(); ++i)
@@ -284,7 +285,7 @@ std::optional<Springs> springs_of_file(const std::string& path, const GltfSource
     const Json springs = vrm_springs_of_zero(source.document[older], &document);
     if (springs.is_null()) return std::nullopt;
     Springs out = SpringReader(path, source, document).read(springs);
-    // They are meant for a document that is turned about y.
+    // They are for a document rotated about y.
     for (SpringChain& chain : out.chains)
       for (SpringJoint& joint : chain.joints) joint.gravity = {-joint.gravity[0], joint.gravity[1], -joint.gravity[2]};
     forget_sources(&out);  // they are numbers of a document that nobody has
@@ -297,7 +298,7 @@ std::optional<Springs> springs_of_file(const std::string& path, const GltfSource
   }
 }
 
-// Of joints that have the same names in both.
+// Only joints that have the same names in both.
 Springs springs_by_name(const Springs& springs, const std::vector<Joint>& before, const std::vector<Joint>& joints) {
   std::map<std::string, int> numbers;
   for (size_t j = 0; j < joints.size(); ++j) numbers[joints[j].name] = static_cast<int>(j);

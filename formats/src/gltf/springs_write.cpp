@@ -106,7 +106,7 @@ class SpringWriter {
     return made;
   }
 
-  // The limit of a joint that turns, into its JSON, where it is not there already.
+  // Writes the limit of a joint that rotates into its JSON, unless it is there already.
   void set_limit(const SpringChain& chain, size_t turning, Json* joint) {
     const SpringJoint& one = chain.joints[turning];
     const Point3 at = position(one.joint);

@@ -75,7 +75,7 @@ class SurfaceNormals {
   std::vector<Point3> positions_, rest_;         // [V]
 };
 
-// `v` turned as the shortest turn takes `from` to `to`, all of length 1.
+// `v` rotated by the shortest rotation of `from` to `to`, all of length 1.
 inline Point3 turned(const Point3& v, const Point3& from, const Point3& to) {
   const Point3 axis = {from[1] * to[2] - from[2] * to[1], from[2] * to[0] - from[0] * to[2],
                        from[0] * to[1] - from[1] * to[0]};

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: MIT
-// The one place where tinygltf's functions are compiled.
+// Compiles tinygltf's functions; no other file does.
 #define TINYGLTF_IMPLEMENTATION
 #include "gltf/gltf_model.hpp"

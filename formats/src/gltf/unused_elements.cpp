@@ -166,8 +166,8 @@ void pack_bytes(GltfSource* source) {
   source->bytes = std::move(packed);
 }
 
-// What a document says of joints that it loses: bones, springs and constraints of a VRM, which has neither meaning without them, and drivers of
-// corrections.
+// Data of a document about joints that it loses: bones, springs and constraints of a VRM, which has neither meaning
+// without them, and drivers of corrections.
 void forget_joints(Json* document) {
   visit(document, "extensions", [](Json* extensions) {
     for (const char* name : {"VRM", "VRMC_vrm"})

@@ -47,7 +47,7 @@ std::vector<std::string> add_vrm(const std::string& path, const VrmData& vrm, co
 std::vector<std::string> turn_vrm_zero_into_one(nlohmann::json* document);
 // VRMC_springBone, or null where nothing swings.
 nlohmann::json vrm_springs_of_zero(const nlohmann::json& secondary_animation, nlohmann::json* document);
-// 0.x counts z the other way. {"x": 1, "y": 2, "z": 3} is [1, 2, -3].
+// 0.x has the opposite z axis. {"x": 1, "y": 2, "z": 3} is [1, 2, -3].
 nlohmann::json vrm_zero_vector(const nlohmann::json& zero);
 // The name in 1.0 of an expression that 0.x knows; "" for others.
 std::string vrm_preset_of_zero(const std::string& zero);

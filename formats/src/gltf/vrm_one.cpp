@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an extension VRM of 0.x says beside its bones, in the words of 1.0: meta, expressions, first person, look-at, springs
-// (github.com/vrm-c/vrm-specification, specification/0.0 and VRMC_vrm-1.0).
+// Contents of an extension VRM of 0.x beside its bones, in terms of 1.0: meta, expressions, first person, look-at,
+// springs (github.com/vrm-c/vrm-specification, specification/0.0 and VRMC_vrm-1.0).
 #include <array>
 #include <string>
 #include <utility>
@@ -16,7 +16,8 @@ std::string text_in(const Json& object, const char* key) {
   return object.contains(key) && object[key].is_string() ? object[key].get<std::string>() : std::string();
 }
 
-// What others may do. Words of 0.x that say less than 1.0 asks for become the strictest that they can mean.
+// Permissions of other users. Values of 0.x that are less precise than those of 1.0 become the strictest possible
+// meaning.
 void add_permissions(const Json& zero, Json* meta) {
   const std::string who = text_in(zero, "allowedUserName"), license = text_in(zero, "licenseName");
   const auto allows = [&](const char* key) { return text_in(zero, key) == "Allow"; };

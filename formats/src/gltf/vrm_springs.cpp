@@ -50,7 +50,8 @@ std::vector<std::vector<size_t>> chains_below(size_t root, Json* document) {
   return chains;
 }
 
-// Forces keep their meaning where the body faces the other way: x and z change sign, and 0.x counts z the other way.
+// Forces keep their meaning if the body faces the opposite direction: x and z change sign, and 0.x has the opposite z
+// axis.
 Json direction_of(const Json& zero) { return {-zero.value("x", 0.0), zero.value("y", -1.0), zero.value("z", 0.0)}; }
 
 Json joint_settings(const Json& group) {

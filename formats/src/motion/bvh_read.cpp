@@ -240,7 +240,7 @@ class BvhReader {
     }
   }
 
-  // Positions stand instead of the offset, as programs write them; turns apply from the last to the first.
+  // Positions replace the offset, as programs write them; rotations apply from the last to the first.
   MotionFrame read_frame() const {
     MotionFrame frame;
     frame.rotations.assign(motion_.joints.size(), kNoRotation4);

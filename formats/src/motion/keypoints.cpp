@@ -174,7 +174,7 @@ class KeypointsSolver {
     for (const Joint& joint : rest_joints(motion_)) rest_.push_back(point(joint.position));
   }
 
-  // By whose sides a joint turns, where the layout has them; or null.
+  // The pair of sides that rotates a joint, if the layout has them; or null.
   const SidedPart* sided_part(size_t j) const {
     for (const SidedPart& part : kSided)
       if (motion_.joints[j].name == part.joint && index(part.to) >= 0 && index(part.along) >= 0) return &part;
@@ -230,7 +230,8 @@ class KeypointsSolver {
     return straight;
   }
 
-  // With its parent, then the shortest way to where the bone to its child points. What has no one child goes with its parent.
+  // Rotates with its parent, then by the shortest rotation to the direction of the bone to its child. A joint without
+  // exactly one child follows its parent.
   Quaternion swung(size_t j, const Quaternion& above, const std::vector<Point3>& at) const {
     int child = -1;
     for (size_t c = 0; c < motion_.joints.size(); ++c) {

@@ -20,7 +20,7 @@ struct NpyArray {
   size_t width() const { return rows() == 0 ? 0 : values.size() / rows(); }  // numbers of a row
 };
 
-// What holds no numbers (text, objects) is left out, `left_out` names it. Throws Error.
+// Arrays without numbers (text, objects) are left out; `left_out` names them. Throws Error.
 struct NpyFile {
   std::map<std::string, NpyArray> arrays;  // by name
   std::string left_out;

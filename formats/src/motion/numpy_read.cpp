@@ -309,13 +309,13 @@ class NumpyReader {
     return nullptr;
   }
 
-  // Of a frame the root's rotate about y and its step to the next frame in its own axes (x, z), its height, then the
-  // other joints' positions in its axes. What follows (rotations, velocities, contacts) says the same once more.
+  // Per frame: the root's rotation about y and its step to the next frame in its own axes (x, z), its height, then
+  // the other joints' positions in its axes. What follows (rotations, velocities, contacts) says the same once more.
   void read_features(const NpyArray& features) {
     check_numbers(features);
     check_frames(features.rows(), kFeatureJoints);
     std::vector<std::vector<Point3>> rows;
-    double angle = 0;  // of half the turn
+    double angle = 0;  // of half the rotation
     Point3 root{};
     for (size_t f = 0; f < features.rows(); ++f) {
       const double* const v = &features.values[f * kFeatures];

@@ -24,7 +24,7 @@ int joint_named(const std::vector<MotionJoint>& joints, const std::string& name)
 // Height of the lowest joint at rest, 0 where none lies below the origin.
 double lowest_at_rest(const Motion& motion);
 
-// What makes y up of a world in which `up` is up, by rotations by 90 degrees: the axis that is nearest to it.
+// The rotation, by multiples of 90 degrees, of the axis nearest to `up` onto y.
 Quaternion turn_to_y_up(const Point3& up);
 // "y", "-z" of the nearest axis, for the user.
 std::string axis_name(const Point3& direction);

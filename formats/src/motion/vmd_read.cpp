@@ -23,7 +23,8 @@ constexpr size_t kIkNameBytes = 20;                          // in the list of s
 constexpr size_t kListsBetween[] = {23, 61, 28, 9};          // bytes of a key: faces, camera, light, shadow
 constexpr double kUnit = 0.08, kFps = 30, kArmsDown = 0.66;  // meters; radians of the rest pose's arms
 
-// Of a key the frame, the translation against the rest position, the rotation and the four curves to it: x, y, z, rotation.
+// A key: the frame, the translation against the rest position, the rotation and the four curves to it: x, y, z,
+// rotation.
 struct Key {
   size_t frame = 0;
   Point3 translation{};
@@ -33,7 +34,8 @@ struct Key {
   bool moves() const { return length(translation) > 1e-6 || std::abs(rotation[3]) < 1 - 1e-9; }
 };
 
-// One of the bones that turn a joint one after the other, in the file's order: models with English names have one an axis.
+// One of the bones that rotate a joint one after the other, in the file's order: models with English names have one
+// an axis.
 struct Bone {
   std::string part;
   std::vector<Key> keys;
@@ -64,7 +66,7 @@ struct LegRotations {
 //   thigh         world rotation of the upper bone as its own keys have it, which says where the knee points
 //   reach         from the hip to where the ankle shall be, in the world
 LegRotations leg_to(const Point3& upper, const Point3& lower, const Quaternion& thigh, const Point3& reach) {
-  // |upper + turned lower|^2 is a constant plus 2 (along cos(bend) + side sin(bend)).
+  // |upper + rotated lower|^2 is a constant plus 2 (along cos(bend) + side sin(bend)).
   const double along = upper[1] * lower[1] + upper[2] * lower[2], side = upper[2] * lower[1] - upper[1] * lower[2];
   const double wanted = (dot(reach, reach) - dot(upper, upper) - dot(lower, lower)) / 2 - upper[0] * lower[0];
   const double found = std::atan2(side, along) + std::acos(std::clamp(wanted / std::hypot(along, side), -1.0, 1.0));
@@ -144,7 +146,7 @@ class VmdReader {
       for (auto& [name, keys] : bones)
         std::stable_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) { return a.frame < b.frame; });
   }
-  // Of the bone, or of an earlier one of the joint that has the same name but for its spelling.
+  // Keys of the bone, or of an earlier bone of the joint with the same name in another spelling.
   std::vector<Key>& bone_keys(const std::string& joint, const std::string& name) {
     std::vector<Bone>& bones = keys_[joint];
     const std::string part = part_of_vmd_bone(name);
@@ -178,7 +180,7 @@ class VmdReader {
     }
   }
 
-  // To a right-handed world: z the other way.
+  // To a right-handed world: z is negated.
   Key read_key(size_t at, size_t number_of_key) {
     Key key;
     key.frame = number<uint32_t>(at);

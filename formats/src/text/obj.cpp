@@ -89,7 +89,7 @@ std::string join_continued_lines(const std::string& text) {
   return out;
 }
 
-// What the loader does not hand on.
+// Data that the loader drops.
 struct ObjExtras {
   std::vector<std::array<float, 3>> colors;  // [V] once a vertex has one; white where it has none
   std::vector<std::string> libraries;        // after mtllib
@@ -185,7 +185,7 @@ ObjCounts check_lines(const std::string& name, std::string_view text, ObjExtras*
 
 constexpr int64_t kNotGiven = -1;
 
-// What the loader's callbacks fill, in the file's order.
+// Data that the loader's callbacks fill, in the file's order.
 struct ObjCollector {
   Character* character = nullptr;
   std::vector<std::array<float, 2>> uvs;
@@ -259,7 +259,7 @@ tinyobj::callback_t collector_callbacks() {
   return callbacks;
 }
 
-// Drops what no face uses, and turns the numbers into values. Corners without a value get 0.
+// Drops what no face uses, and resolves the indices to values. Corners without a value get 0.
 void finish(ObjCollector* from) {
   Character& character = *from->character;
   const auto given = [](int64_t index) { return index != kNotGiven; };

@@ -47,7 +47,7 @@ inline std::string one_line(std::string text) {
   return cut ? text + "..." : text;
 }
 
-// A number may begin with '+'; not with '+-', which loaders read in ways of their own.
+// A number may begin with '+'; not with '+-', which loaders read differently.
 inline std::string_view without_plus(std::string_view word) {
   return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
 }

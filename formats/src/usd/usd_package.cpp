@@ -19,7 +19,7 @@ class Bytes {
   std::vector<uint8_t> bytes;
 };
 
-// What the header of a file and its entry of the directory share.
+// Common fields of the header of a file and its directory entry.
 void add_common(const NamedBytes& file, size_t extra, Bytes* out) {
   out->number(10, 2);  // version to extract
   out->number(0, 2);   // flags

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kIn = "        ";
 
-// What pictures are called after: a path in the text ends at @.
+// Names of pictures are made safe: a path in the text ends at @.
 std::string picture_stem(const std::string& path) {
   std::string stem = stem_of(path);
   std::replace(stem.begin(), stem.end(), '@', '_');

@@ -51,7 +51,7 @@ std::vector<Argument> joined(std::vector<Argument> first, std::vector<Argument> 
   return first;
 }
 
-// What is written for another program.
+// Files for another program.
 std::vector<Argument> profile_arguments() {
   std::vector<std::string> names;
   for (const Profile& one : profiles()) names.emplace_back(one.name);

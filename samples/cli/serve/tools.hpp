@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a server offers: commands with the arguments that a program may give them, as JSON Schema and as a command line.
+// Tools of a server: commands with the arguments that a program may give them, as JSON Schema and as a command line.
 #ifndef SINEW_CLI_TOOLS_HPP
 #define SINEW_CLI_TOOLS_HPP
 

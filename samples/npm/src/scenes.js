@@ -3,7 +3,7 @@
 import { fileKind } from "./file_kinds.js";
 
 export const isScene = (name) => fileKind(name)?.reader === "scene" && fileKind(name)?.uses.includes("offered") === true;
-// Of all that pictures are dropped as; those that glTF cannot hold are told of by the reader.
+// Image types that users drop; the reader warns of those that glTF cannot store.
 const isPicture = (name) => /\.(png|jpe?g|webp|tga|bmp|tiff?|gif|psd|dds|ktx2?|exr|hdr)$/i.test(name);
 
 /**

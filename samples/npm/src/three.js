@@ -173,7 +173,8 @@ function localPose(bones, parents, rotations, translations) {
   });
 }
 
-// Characters that stand beside each other: each is looked at as if its root stood over the origin. Y is up, as three.js has it.
+// Characters that stand beside each other: each is seen as if its root were over the origin. Y is up, as three.js has
+// it.
 function standAtOrigin(rig) {
   const first = Math.max(rig.parents.indexOf(-1), 0);
   const origin = [rig.positions[3 * first], rig.positions[3 * first + 2]];

@@ -15,7 +15,8 @@
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/memory_files.hpp"
 
-// The GLB into a file of this module, and what is said of it: {notes} or {error} as text for free(); null without that module.
+// The GLB into a file of this module, and the messages about it: {notes} or {error} as text for free(); null without
+// that module.
 EM_JS(char*, read_scene, (const char* path, const char* glb), {
   if (!Module["readScene"]) return 0;
   const said = Module["readScene"](UTF8ToString(path), UTF8ToString(glb));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the package's modules have beside the engine's own interface (sinew.h): joints chosen as the command chooses them, and
-// a callback that tells JavaScript how far a call is. src/binder.js and engine.js write the engine's structs into memory; the
-// layouts they go by are checked here.
+// Functions of the package's modules beside the engine's interface (sinew.h): joints chosen as the command chooses
+// them, and a callback that tells JavaScript how far a call is. src/binder.js and engine.js write the engine's
+// structs into memory; the layouts they go by are checked here.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -57,7 +57,8 @@ std::vector<Joint> joints_of(const sinew_skeleton& skeleton, const char* names) 
   return joints;
 }
 
-// Vertices at one place are one piece: a face of two corners joins each to the first, as the readers' welding would.
+// Vertices at one position are one piece: a face of two corners joins each to the first, as the readers' welding
+// would.
 Character character_of(const sinew_mesh& mesh, const sinew_skeleton& skeleton, const char* names) {
   Character character;
   character.joints = joints_of(skeleton, names);
@@ -86,7 +87,7 @@ extern "C" {
 
 SKIN_EXPORT("skin_progress") sinew_progress skin_progress() { return progress; }
 
-// Which joints may get weight, as `sinew bind` sees it in a file without weights: by names and places.
+// Which joints may get weight, as `sinew bind` sees it in a file without weights: by names and positions.
 //   names     joint_count strings, each with a 0 behind it; null = not known
 //   skeleton  flags: what the user says, or null
 //   flags     out [J] SINEW_JOINT_* for sinew_bind()

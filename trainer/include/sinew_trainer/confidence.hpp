@@ -47,7 +47,7 @@ using ConfidenceTable = std::vector<std::pair<uint16_t, uint16_t>>;
 // Isotonic regression (pool adjacent violators) over at most `bins` bins of equal weight, families weighing the same.
 // `judged` holds confidences without a table. Throws Error when there is no vertex.
 ConfidenceTable fit_confidence(const std::vector<JudgedConfidence>& judged, size_t bins = 32);
-// What the engine makes of confidences without a table.
+// Applies the table to confidences without one, as the engine does.
 std::vector<JudgedConfidence> apply_confidence(const std::vector<JudgedConfidence>& judged,
                                                const ConfidenceTable& table);
 // Calibration on families that the table has not seen: fitted on each half of the families and evaluated on the

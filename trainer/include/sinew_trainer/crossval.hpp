@@ -47,7 +47,7 @@ struct CrossvalMean {
   std::string worst_family;  // with the largest difference to heat's L1
   double worst_difference = 0;
 };
-// What decides: means over families of the means over seeds.
+// The deciding figures: means over families of the means over seeds.
 struct CrossvalMeans {
   size_t families = 0;
   CrossvalFigures all;

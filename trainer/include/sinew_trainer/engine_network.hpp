@@ -19,8 +19,8 @@ NetworkInput network_input(const NetworkSample& sample);
 // Bytes that run_network() needs for the sample.
 size_t network_workspace(const sinew_model& model, const NetworkSample& sample, const NetworkOptions& options = {});
 
-// What the engine's network writes for the sample: `count` numbers, by the kernel of the environment. Throws Error with the sample's
-// name.
+// Runs the engine's network on the sample and returns its output: `count` numbers, by the kernel of the environment.
+// Throws Error with the sample's name.
 std::vector<int16_t> engine_rows(const sinew_model& model, const NetworkSample& sample, size_t count);
 
 // Runs the engine's network on the sample's features. Returns logits [U x K] in natural log units, absent slots 0.

@@ -16,8 +16,8 @@ namespace sinew {
 // Within this share of the hand's length a predicted joint is right.
 constexpr double kFingerTolerance = 0.1;
 
-// Of the hands of one character or of several. Joints are finger joints and finger ends; lengths are shares of the length
-// of the hand, from the wrist to its farthest point.
+// Scores of the hands of one character or of several. Joints are finger joints and finger ends; lengths are shares of
+// the length of the hand, from the wrist to its farthest point.
 struct HandScore {
   size_t hands = 0;                 // that have fingers
   size_t exact = 0;                 // of these: with the same number of fingers predicted
@@ -38,7 +38,7 @@ struct HandScore {
 // A target hand's fingers are those of the predicted hand that is nearest to it, within its length.
 HandScore score_hands(const Character& character, const PredictedSkeleton& predicted);
 
-// Of families, and of all: a Markdown table.
+// A Markdown table of the scores by family, and of all.
 std::string hand_scores_markdown(const std::vector<std::pair<std::string, HandScore>>& characters);
 std::string hand_scores_json(const std::vector<std::pair<std::string, HandScore>>& characters);
 

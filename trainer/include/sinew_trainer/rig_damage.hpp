@@ -25,7 +25,7 @@ struct DamagedRig {
   std::optional<Motion> motion;
 };
 
-// What has to be there before a damage: the character itself, a file of it, the walk that ships on it.
+// Condition of a damage: the character itself, a file of it, the walk that ships on it.
 enum class DamageNeeds { kCharacter, kFile, kWalk };
 DamageNeeds needs_of(const DamageKind& kind);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Networks of skeletons and fronts on their way to integers: skeletons by the float network; ranges over a folder's characters; how
-// far the integers' answers lie from float's.
+// Networks of skeletons and fronts, quantized step by step: skeletons by the float network; ranges over a folder's
+// characters; how far the integers' answers lie from float's.
 #ifndef SINEW_TRAINER_RIG_DIFFERENCE_HPP
 #define SINEW_TRAINER_RIG_DIFFERENCE_HPP
 
@@ -47,10 +47,9 @@ SlotNetworks calibrate_slots(const FloatNetwork& both, const std::string& folder
 
 struct SlotDifference {
   size_t characters = 0;
-  double mean = 0, most = 0;  // of joints that are there, shares of the longest side
-  double same_presence = 0;   // share of slots that hold a joint by both or by neither
-  double same_connections =
-      0;  // share of pairs of joints that more likely than not hang together by both or by neither
+  double mean = 0, most = 0;    // of joints that are there, shares of the longest side
+  double same_presence = 0;     // share of slots that hold a joint by both or by neither
+  double same_connections = 0;  // share of pairs of joints that both or neither predict as connected
 };
 //   model  of calibrate_slots(), quantized and opened by sinew_rig_model_open()
 SlotDifference compare_slots(const FloatNetwork& both, const sinew_model& model, const std::string& folder,

@@ -30,7 +30,7 @@ ScoredSkeleton scored_skeleton(const TargetSkeleton& target);
 // As a file says it: classes by names, and a leaf called NAME_end or NAME_tip is a bone end. `side` is the mesh's.
 ScoredSkeleton scored_skeleton(const std::vector<Joint>& joints, double side);
 
-// Of one character, or a mean over several. All joints count, bone ends too. NaN: there was nothing to count.
+// Scores of one character, or means over several. All joints count, bone ends too. NaN: there was nothing to count.
 struct RigScore {
   double j2j =
       0;  // mean of the distances from predicted to nearest reference joints and from reference to nearest predicted joints
@@ -38,7 +38,7 @@ struct RigScore {
   double b2b = 0;  // the same from points on bones to points on bones
   // Pairs of predicted and reference joints, one to one, at most 0.05 apart: as many as can be, as near as can be.
   double precision = 0, recall = 0, iou = 0;  // pairs over predicted joints, over reference joints, over their mean
-  double joined = 0;     // share of reference bones between paired joints whose joints hang together in the prediction,
+  double joined = 0;     // share of reference bones between paired joints whose joints are connected in the prediction,
                          // through unpaired joints at most
   double classes = 0;    // share of pairs without bone ends whose classes agree
   double symmetric = 0;  // 1 where every predicted joint has a mirror image, within 2e-6, about the middle of them all
@@ -58,17 +58,17 @@ inline constexpr std::array<RigFigure, 9> kRigFigures = {{{"J2J", &RigScore::j2j
                                                           {"class", &RigScore::classes},
                                                           {"symmetric", &RigScore::symmetric}}};
 
-// Of every predicted joint the reference joint that it is paired with, -1 = none.
+// The reference joint paired with every predicted joint, -1 = none.
 std::vector<int> pair_joints(const ScoredSkeleton& predicted, const ScoredSkeleton& reference);
 // Same figures as rig_eval.py. Throws Error where either has no joints.
 RigScore score_rig(const ScoredSkeleton& predicted, const ScoredSkeleton& reference);
 
 // A reference with head, arms and legs of two bones, and no tail.
 bool is_humanoid(const ScoredSkeleton& reference);
-// What keeps a skeleton from being retargeted, one line each; empty = complete. Of the 15 bones that every humanoid has,
-// pelvis, spine and head must be in the middle (0.01), upper arm, forearm, hand, thigh, calf and foot once on each side,
-// each below the one before, and a pelvis must be the root. x points left; the middle is that of a symmetric skeleton,
-// of others where the root is.
+// Reasons why a skeleton cannot be retargeted, one line each; empty = complete. Of the 15 bones that every humanoid
+// has, pelvis, spine and head must be in the middle (0.01), upper arm, forearm, hand, thigh, calf and foot once on
+// each side, each below the one before, and a pelvis must be the root. x points left; the middle is that of a
+// symmetric skeleton, of others where the root is.
 std::vector<std::string> humanoid_gaps(const ScoredSkeleton& skeleton);
 
 // A skeleton and the weights that a bind to it gave, in a character whose artist's weights are known.

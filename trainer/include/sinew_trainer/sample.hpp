@@ -38,10 +38,10 @@ struct NetworkSample {
   std::vector<uint32_t> part, part_offsets, part_vertices;
 };
 
-// What bind's network sees of one character, plus the truth: one training sample. Its inputs are the engine's vertex and
-// pair features (kVertexInput and kPairInput of features/features.hpp).
-// A joint that is no candidate, but whose end marker is (fold[end] == joint), has its reference weight on the first such
-// end marker. The yardstick counts `importance`.
+// One training sample: the input of bind's network for one character, and the reference. Its inputs are the engine's
+// vertex and pair features (kVertexInput and kPairInput of features/features.hpp). A joint that is no candidate, but
+// whose end marker is (fold[end] == joint), has its reference weight on the first such end marker. The yardstick
+// counts `importance`.
 struct Sample : NetworkSample {
   std::vector<float> target;      // [U x K] reference weight of each candidate, see above
   std::vector<uint32_t> fold;     // [J] fold_targets of the character

@@ -28,8 +28,8 @@ struct RunConfig {
   uint32_t batch = 2;             // samples per step, one per thread
   uint64_t seed = 1;
   double average_decay = 0.999;  // running average of weights; 0 = off
-  // Share of the weights of --init in the finished network. Between two networks of one start the way is smooth: half
-  // of each keeps most of a new style and most of what was known.
+  // Share of the weights of --init in the finished network. Between two networks of one start the path is smooth:
+  // half of each keeps most of a new style and most of what was known.
   double init_share = 0;
   uint32_t validate_every = 300;  // steps
   // Stop after so many validations without a new best: of the score, or without validation samples of the mean loss since
@@ -48,7 +48,7 @@ struct RunConfig {
 struct TrainConfig : RunConfig {
   std::string architecture = "field";
   FieldOptions field;
-  // What a vertex and its candidates are described by: "own", all features, heat weights among them; "published" (classic
+  // Features of a vertex and its candidates: "own", all features, heat weights among them; "published" (classic
   // only), positions, normals, Laplacian, curvatures, distances to joints and, with `spectral`, signatures.
   std::string attributes = "own";
   uint32_t block_layers = 1;  // of classic: linear layers with ReLU in each of its multi-layer perceptrons
@@ -63,8 +63,8 @@ struct TrainConfig : RunConfig {
   // Share of the learned change of heat's logits that the finished network keeps (field only). Below 1 it is worse on
   // the families it was trained on and better on new ones: trainer/configs/RESULTS.md has the figures.
   double correction = 0.7;
-  // Augmentation with recomputed features: variants made once per character and cached (turn, mirror, scale, jitter,
-  // decimation).
+  // Augmentation with recomputed features: variants made once per character and cached (rotate, mirror, scale,
+  // jitter, decimation).
   uint32_t variants = 2;
   // Training characters with more vertices than this are decimated to about as many; 0 = off. Large characters cost the
   // most and teach the least per vertex. Validation and measurements always take them whole.
@@ -94,7 +94,7 @@ struct TrainOptions {
   uint64_t stop_after = 0;                  // stop after so many steps of this call, to be resumed; 0 = off
   const std::atomic<bool>* stop = nullptr;  // set it (from a signal handler, say) to write the checkpoint and return
 };
-// What a run draws from.
+// Sources of a run's samples.
 struct TrainingSet {
   std::vector<std::vector<Sample>> characters;  // each: the original, then its variants
   std::vector<std::string> families;            // [characters]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Augmentation: changed copies of a training character. One human in 165 variants teaches little; what is the same
-// under turning, mirroring, stretching and another density is worth learning, and so are other skeletons and rest poses
-// of the same body.
+// under rotation, mirroring, stretching and another density is worth learning, and so are other skeletons and rest
+// poses of the same body.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -143,7 +143,7 @@ void add_controls(Character* character, double side, Random* random) {
   }
 }
 
-// Another rest pose: every joint turns a little, the mesh follows its own weights.
+// Another rest pose: every joint rotates a little, the mesh follows its own weights.
 void change_rest_pose(Character* character, Random* random) {
   const double amount = random->uniform(4, 16);  // degrees, standard deviation
   std::vector<JointRotation> turns;

@@ -86,7 +86,7 @@ std::vector<std::vector<std::string>> make_folds(const std::map<std::string, siz
   }
   if (fold_count < 2) throw Error("folds: at least 2 are needed, found " + std::to_string(fold_count));
   if (by_name.size() < fold_count) {
-    throw Error(std::to_string(fold_count) + "folds need at least as many groups of families, found " +
+    throw Error(std::to_string(fold_count) + " folds need at least as many groups of families, found " +
                 std::to_string(by_name.size()) + "; a family is the part of a character's name before \"__\"");
   }
   std::vector<Group> order;

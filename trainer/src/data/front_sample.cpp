@@ -13,14 +13,14 @@ namespace {
 
 using namespace rigging;
 
-constexpr double kLeastSideways = 0.7;  // share of the way from right to left that is horizontal
+constexpr double kLeastSideways = 0.7;  // horizontal share of the distance from right to left
 constexpr uint32_t kLeastSided = 2;     // joints of each side
-constexpr double kLeastAlong = 0.75;    // share of the way from pelvis and tail to the head that is along the floor
+constexpr double kLeastAlong = 0.75;    // share along the floor of the distance from pelvis and tail to the head
 constexpr double kLeastTrunk = 0.15;    // of the longest side
 constexpr double kAlongAxis = 0.6;      // share of tilted meshes that face along an axis
 constexpr uint32_t kTilted = 2;         // samples of a copy
 
-// Of a body that lies along the floor, a quadruped's or a fish's, the head is in front of pelvis and tail.
+// In a body along the floor, a quadruped's or a fish's, the head is in front of pelvis and tail.
 std::array<double, 2> front_by_head(const RigSource& source, const RigSource::PosedMesh& posed_mesh) {
   std::array<double, 3> sums[2] = {};  // of heads, of what is behind
   uint32_t counts[2] = {0, 0};
@@ -69,8 +69,8 @@ std::array<double, 2> front_of(const RigSource& source) {
 
 int32_t rounded(double x) { return static_cast<int32_t>(std::lround(x)); }
 
-// What a mesh looks like when its other axis is taken for up: it lies, most often on its back or its face, as bodies that face along
-// an axis do.
+// Tilts a mesh as if its other axis was taken for up: it lies, most often on its back or its face, as bodies that
+// face along an axis do.
 void tilt(Random* random, std::vector<SurfacePoint>* points) {
   constexpr double kHalfTurn = 3.141592653589793;
   const double angle = random->uniform() < kAlongAxis ? kHalfTurn * random->below(2) + 0.1 * random->normal()

@@ -107,7 +107,7 @@ class ShellGrower {
     });
   }
 
-  // What cannot be reached from the border over faces is solid.
+  // Cells that cannot be reached from the border over faces are solid.
   void fill() {
     std::vector<uint8_t> outside(solid_.size(), 1);  // the border counts as reached
     each(1, [&](size_t i, int, int, int) { outside[i] = 0; });

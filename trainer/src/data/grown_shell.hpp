@@ -12,7 +12,7 @@ namespace sinew {
 struct GrownShell {
   std::vector<std::array<double, 3>> vertices;  // [S] units of the mesh
   std::vector<std::array<uint32_t, 3>>
-      triangles;                 // counter-clockwise from outside; every edge has as many faces one way
+      triangles;                 // counter-clockwise from outside; every edge has as many faces in one direction
                                  // as the other
   std::vector<uint32_t> source;  // [S] vertex of the mesh that is near
 };

@@ -22,7 +22,7 @@ Matrix3d turn(const Vector3d& by) {
 
 }  // namespace
 
-// What moves a hand into a pose that was drawn.
+// The transforms that move a hand into a drawn pose.
 class HandSource::Motion {
  public:
   Motion(const HandSource& hand, double strength, Random* random)

@@ -25,7 +25,7 @@ using Eigen::Vector3d;
 
 constexpr double kAround = 3.2;  // of a hand's length: what of the body is kept
 
-// Of the longest side. Without an expression of Eigen's, which GCC 12 takes for uninitialized.
+// A point in shares of the longest side. Without an expression of Eigen's, which GCC 12 takes for uninitialized.
 Vector3d share(Vec3i p) {
   constexpr double kStep = 1.0 / kSide;
   return {p.x * kStep, p.y * kStep, p.z * kStep};
@@ -60,7 +60,7 @@ HandSource::HandSource(const Character& character, const TargetHand& hand)
     }
     fingers_.push_back(std::move(f));
   }
-  // What no joint of the hand's moves belongs to the joint above it.
+  // Vertices that no joint of the hand moves belong to the joint above it.
   const auto owner_of = [&](uint32_t j) -> uint32_t {
     for (int at = static_cast<int>(j); at >= 0; at = character.joints[static_cast<size_t>(at)].parent)
       if (own[static_cast<size_t>(at)] >= 0) return static_cast<uint32_t>(own[static_cast<size_t>(at)]);
@@ -109,7 +109,7 @@ HandSource::HandSource(const Character& character, const TargetHand& hand)
   }
 }
 
-// What points of the crop are to vote for.
+// Targets of the votes of the crop's points.
 class HandSource::Labels {
  public:
   // in_crop: from the hand's axes to the crop's.
@@ -153,7 +153,7 @@ class HandSource::Labels {
     bool known = true;
   };
 
-  // Of the bones that begin at joint `own`, the end of the one that is nearest to p.
+  // The end of the bone nearest to p among those that begin at joint `own`.
   BoneEnd nearest_end(const Vector3d& p, size_t own) const {
     BoneEnd end = {palm_end_, kClassTip, own != kWrist || hand_.fingers_.empty()};
     double least = 1e9;

@@ -21,8 +21,8 @@ class HandSource {
   HandSource(const Character& character, const TargetHand& hand);
 
   // strength 0: the hand as it is, where a body's skeleton would say it is, which is never quite right; 1: fingers bend
-  // and grow, one may be missing, the hand turns. The same seed gives the same sample; nullopt where nothing was left of
-  // the hand.
+  // and grow, one may be missing, the hand rotates. The same seed gives the same sample; nullopt where nothing was
+  // left of the hand.
   std::optional<RigSample> make(uint64_t seed, double strength) const;
 
  private:

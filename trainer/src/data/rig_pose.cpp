@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rotations by class of joint, arms along the body, legs on their way.
+// Rotations by class of joint, arms along the body, legs in a stride.
 #include "data/rig_pose.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using namespace rigging;
 
 using Eigen::Vector3d;
 
-// How far joints of a class turn, standard deviation in radians.
+// Rotation of joints of a class, standard deviation in radians.
 double mild_sigma(JointClass c) {
   switch (c) {
     case kClassUpperArm:
@@ -117,7 +117,7 @@ RigPose draw_pose(const PoseBody& body, double strength, bool symmetric, double 
   return pose;
 }
 
-// What stands out to the side hangs down.
+// Lowers limbs that stand out to the side.
 void lower_arms(const PoseBody& body, Random* random, RigPose* pose) {
   const double out[2] = {random->uniform(0, 0.12), random->uniform(0, 0.12)};
   const double forward[2] = {random->uniform(-0.1, 0.15), random->uniform(-0.1, 0.15)};
@@ -142,7 +142,7 @@ bool walks_on_arms(const PoseBody& body) {
   return low < 0.15 * top;
 }
 
-// Of a chain of one class, how many of its joints lie between the torso and this one.
+// How many joints of a chain of one class lie between the torso and this one.
 size_t steps_in_class(const PoseBody& body, size_t bone) {
   size_t steps = 0;
   const JointClass c = body.target.joints[bone].joint_class;

@@ -36,9 +36,10 @@ struct RigPose {
 
 // strength 1: joints rotate by up to a radian, 0: none does. Seven in ten are symmetric.
 RigPose mild_pose(const PoseBody& body, double strength, Random* random);
-// As meshes of strangers stand: three quarters are not symmetric, joints turn twice as far; two in five have their arms along the
-// body, as many their legs walking, galloping or sitting, one in five is a toy with a large head and short limbs. Some animals sit or
-// lie, some people have their hands on the hips, in the pockets or across the chest, some wings are folded, some tails curled.
+// As meshes of strangers stand: three quarters are not symmetric, joints rotate twice as far; two in five have their
+// arms along the body, as many their legs walking, galloping or sitting, one in five is a toy with a large head and
+// short limbs. Some animals sit or lie, some people have their hands on the hips, in the pockets or across the chest,
+// some wings are folded, some tails curled.
 RigPose wide_pose(const PoseBody& body, double strength, Random* random);
 
 }  // namespace sinew

@@ -131,7 +131,8 @@ void RigSource::find_parts() {
   parts_ = static_cast<uint32_t>(part_number.size());
 }
 
-// The character's own joints turn where a target joint has its position from them; scales act at the joint, not below it.
+// The character's own joints rotate if a target joint has its position from them; scales act at the joint, not below
+// it.
 RigSource::Palette RigSource::palette(const RigPose& pose) const {
   const size_t bones = body_.bones();
   std::vector<Matrix3d> scale(bones);

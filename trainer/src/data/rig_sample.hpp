@@ -84,7 +84,7 @@ class RigSource {
   Posed pose(uint64_t seed, const RigVariant& variant) const;
   void draw(Random* random, Posed* posed) const;
   Palette palette(const RigPose& pose) const;
-  // What belongs to joint j in the mirror frame goes with it.
+  // Moves a point of joint j with it, in the mirror frame.
   Eigen::Vector3d follow(const Palette& palette, uint32_t j, const Point3& p) const;
   // The vertices of faces by their own weights, in the mirror frame.
   std::vector<Point3> skin(const Palette& palette) const;

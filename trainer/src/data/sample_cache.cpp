@@ -42,7 +42,7 @@ namespace {
 
 constexpr uint64_t kCacheVersion = 5;  // grows whenever the file's layout or, in its last bits, a feature changes
 
-// What a request is made of. The files of a character are read in any case, since they are the key of the cache.
+// Parts of a request. The files of a character are read in any case, since they are the key of the cache.
 struct SampleInputs {
   std::string stem;              // of the cache file
   std::vector<uint8_t> content;  // that the sample depends on, beside the settings

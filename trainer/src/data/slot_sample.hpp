@@ -22,7 +22,7 @@ namespace sinew {
 std::array<int, rigging::kSlots> assign_slots(const TargetSkeleton& target,
                                               const std::vector<std::array<double, 3>>& positions);
 
-// Pairs of slots that hang together: one's joint is the other's nearest ancestor with a slot.
+// Pairs of connected slots: one's joint is the other's nearest ancestor with a slot.
 //   connected  out  [rigging::kSlotPairs] 0 or 1
 void connected_slots(const TargetSkeleton& target, const std::array<int, rigging::kSlots>& slots,
                      std::array<uint8_t, rigging::kSlotPairs>* connected);
@@ -30,7 +30,7 @@ void connected_slots(const TargetSkeleton& target, const std::array<int, rigging
 // Steps of a point's position in its row (kRigPosition) in a longest side: twice the position, Q13.
 constexpr double kPositionSteps = 16384;
 
-// What the first network is to say of each slot, and the second of each two.
+// Targets of the first network for each slot, and of the second for each pair.
 struct SlotSample : NetworkSample {
   std::vector<float> joints;  // [kSlots x 4] position in the mirror frame, offset from the skin; longest sides
   std::array<uint8_t, rigging::kSlots> present{};  // 1: the slot holds a joint; without one its joint is 0

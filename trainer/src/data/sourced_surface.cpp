@@ -53,7 +53,7 @@ void add_specks(Random* random, SourcedSurface* surface) {
 
 namespace {
 
-// To the picture's axes, x right, y up, z to who looks, and back.
+// World axes to image axes (x right, y up, z to the viewer), and back.
 Point3 seen(SilhouetteView view, const Point3& p) {
   return view == SilhouetteView::kFromSide ? Point3{p[2], p[1], -p[0]} : p;
 }

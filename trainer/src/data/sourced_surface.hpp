@@ -19,7 +19,7 @@ struct SourcedSurface {
   std::vector<uint32_t> source;                    // [V]
 };
 
-// A second wall 0.004 to 0.02 inside, wound the other way.
+// A second wall 0.004 to 0.02 inside, with opposite winding.
 void add_wall(Random* random, SourcedSurface* surface);
 // 10 to 80 tetrahedra of about 0.004, up to 0.03 away from a vertex, whose source they have.
 void add_specks(Random* random, SourcedSurface* surface);

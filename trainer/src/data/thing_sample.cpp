@@ -78,7 +78,7 @@ class Workshop {
       }
     }
   }
-  // Of half sizes, about a middle.
+  // A box of half sizes, about a center.
   void add_box(const Vector3d& middle, const Vector3d& half) {
     const double across = half.x() * std::sqrt(2.0);
     add_turned(middle - Vector3d(0, half.y(), 0), middle + Vector3d(0, half.y(), 0), {across, across}, 4,
@@ -192,7 +192,7 @@ class Workshop {
     }
   }
 
-  // To any side, the floor below it.
+  // Rotates to any side, with the floor below.
   void turn() {
     const double angle = random_.uniform() < 0.7 ? kTurn / 4 * random_.below(4) : random_.uniform(0, kTurn);
     const Eigen::Matrix3d rotation = Eigen::AngleAxisd(angle, Vector3d::UnitY()).toRotationMatrix();

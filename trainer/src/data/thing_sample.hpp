@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Training samples of what is no body: machines, vehicles, furniture, letters, lone limbs, made of turned solids.
+// Training samples of things that are no bodies: machines, vehicles, furniture, letters, lone limbs, made of rotated
+// solids.
 #ifndef SINEW_TRAINER_DATA_THING_SAMPLE_HPP
 #define SINEW_TRAINER_DATA_THING_SAMPLE_HPP
 

@@ -102,7 +102,7 @@ PredictedSkeleton predict_float_skeleton(const Character& character, const Float
 
 bool same_tree(const PredictedSkeleton& a, const PredictedSkeleton& b) {
   if (a.joints.size() != b.joints.size()) return false;
-  // Every joint as its way to the root; names are numbers of a class and may go to another joint.
+  // Every joint as its path to the root; names are numbers of a class and may go to another joint.
   const auto paths = [](const PredictedSkeleton& s) {
     std::vector<std::vector<int>> all;
     for (size_t j = 0; j < s.joints.size(); ++j) {

@@ -36,8 +36,8 @@ struct DropoutOptions {
   uint64_t seed = 0;
 };
 
-// What makes outputs of a sample, and gradients of parameters. One instance per thread; its memory is reused from call to
-// call. The same input gives the same bytes on one machine.
+// Computes outputs of a sample, and gradients of parameters. One instance per thread; its memory is reused from call
+// to call. The same input gives the same bytes on one machine.
 template <class Scalar>
 class SampleRunner {
  public:

@@ -34,7 +34,7 @@ struct RigNetworkOptions {
 //   second on); at the end relu(L [h, h after two rounds, max and mean of all h]), relu(L), L.
 FloatNetwork make_rig_network(const RigNetworkOptions& options, uint64_t seed);
 
-// Of the front: every point alone, and what all of them say together.
+// A network of the front: every point alone, and the sum over all points.
 struct FrontNetworkOptions {
   uint32_t width = 64;  // channels
   uint32_t rounds = 2;  // of all points' largest and mean values
@@ -46,7 +46,7 @@ bool is_wider(const FloatNetwork& wide, const FloatNetwork& narrow);
 
 // Puts the narrow network's weights into the wide one, which then computes the same: added channels keep the weights that they are
 // made of (random ones) and are read with zeros by the others, as in growing networks (Chen, Goodfellow, Shlens 2016, "Net2Net", with
-// random channels in the place of copies: they differ from the start). Throws Error unless is_wider().
+// random channels instead of copies: they differ from the start). Throws Error unless is_wider().
 //   source  begins the message: the narrow network's file
 void widen(const FloatNetwork& narrow, const std::string& source, FloatNetwork* wide);
 

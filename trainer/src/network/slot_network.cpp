@@ -72,7 +72,7 @@ Region convolve(PointNetworkBuilder* b, const Region& state, uint32_t channels, 
   return next;
 }
 
-// What the first network says of every point, into `out`.
+// Adds the layers of the first network's output for every point, in `out`.
 void add_joint_layers(PointNetworkBuilder* b, const SlotNetworkOptions& options, const Region& input,
                       const Region& out) {
   const uint32_t width = options.width;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The published method for skeletons, two networks as one: where joints are, and which of them hang together.
+// The published method for skeletons, two networks as one: where joints are, and which of them are connected.
 #ifndef SINEW_TRAINER_NETWORK_SLOT_NETWORK_HPP
 #define SINEW_TRAINER_NETWORK_SLOT_NETWORK_HPP
 
@@ -17,7 +17,8 @@ namespace sinew {
 // of what a network says, how likely the slot holds a joint, 0 to 1.
 constexpr uint32_t kSlotOffset = 3, kSlotPresence = 4, kSlotNumbers = 5;
 
-// What the runner returns: [kSlots x kSlotNumbers], then the probability of every pair to hang together [rigging::kSlotPairs].
+// The runner's output: [kSlots x kSlotNumbers], then the probability of every pair to be connected
+// [rigging::kSlotPairs].
 constexpr uint32_t kSlotOutputs = rigging::kSlots * kSlotNumbers + rigging::kSlotPairs;
 
 struct SlotNetworkOptions {

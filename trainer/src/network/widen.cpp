@@ -12,14 +12,14 @@ namespace {
 
 constexpr uint32_t kAdded = UINT32_MAX;
 
-// Of every channel of every wide buffer the narrow one's, or kAdded.
+// The narrow buffer's channel of every channel of every wide buffer, or kAdded.
 class ChannelMap {
  public:
   explicit ChannelMap(const FloatNetwork& wide) : inputs_(wide.input_names.size()) {
     for (const Buffer& b : wide.buffers) of_.emplace_back(b.channels, kAdded);
     for (size_t i = 0; i < inputs_; ++i) std::iota(of_[i].begin(), of_[i].end(), 0u);
   }
-  // What a layer with weights writes: its first channels are the narrow one's. Others hand on what they read.
+  // The output of a layer with weights: its first channels are the narrow one's. Other layers copy their input.
   void write(const Layer& wide, const Layer& narrow) {
     for (uint32_t c = 0; c < wide.out.channels; ++c) {
       uint32_t at = has_weights(wide.kind) ? (c < narrow.out.channels ? c : kAdded) : within(wide.in, narrow.in, c);

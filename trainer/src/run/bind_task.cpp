@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a training run asks about skin weights; names of input channels that a network does without, and their weights.
+// The training task of skin weights; names of input channels that a network does without, and their weights.
 #include "run/bind_task.hpp"
 
 #include <algorithm>

@@ -204,7 +204,7 @@ class Crossval {
           if (!saved[key].contains(inner) || saved[key][inner] != setting) where = "config." + inner;
         }
       }
-      throw Error(path + ": cannot resume: " + where + "has changed since; give another -o");
+      throw Error(path + ": cannot resume: " + where + " has changed since; give another -o");
     }
   }
 
@@ -337,7 +337,7 @@ class Crossval {
     write_text_file(figures_path(job), out.dump(1) + "\n");
   }
 
-  // Of every run whose figures are on disk, also of seeds and folds that this call was not asked for.
+  // Collects every run whose figures are on disk, including other seeds and folds than those of this call.
   CrossvalReport collect() const {
     CrossvalReport report;
     report.label = options_.label;

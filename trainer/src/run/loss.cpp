@@ -43,7 +43,7 @@ double total_importance(const Sample& sample) {
   return total;
 }
 
-// How far a vertex sways from where it should be when joints turn.
+// Position error of a vertex when joints rotate.
 template <class S>
 class VertexSway {
  public:
@@ -193,7 +193,7 @@ class WeightLoss {
     }
   }
 
-  // Of the group that begins at slot k, which has a target. Notes its pull as well.
+  // The loss of the group that begins at slot k, which has a target. Notes its pull as well.
   S divergence(const FoldGroups& groups, const LossRow<S>& row, uint32_t k, S log_sum) {
     S largest = -INFINITY, sum = 0;
     for (uint32_t i = k; i < slots_; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What training makes small: distance of the predicted weights from the reference, per vertex and per part, and its
+// The loss of training: distance of the predicted weights from the reference, per vertex and per part, and its
 // gradient.
 #ifndef SINEW_TRAINER_RUN_LOSS_HPP
 #define SINEW_TRAINER_RUN_LOSS_HPP
@@ -21,7 +21,7 @@ struct LossTerms {
   double l1 = 0;      // sum_j |p - t| + missing
   double regret = 0;  // max(0, L1 of the network - L1 of heat)
   double part = 0;    // per part: sum_j |mean p - mean t|, parts weighted by their vertices' importance
-  // Root of the mean squared way a vertex is off when every joint rotates by an independent random rotation of one
+  // Root mean square position error of a vertex when every joint rotates by an independent random rotation of one
   // radian: sqrt(sum over joints a of (sum of p - t over a's subtree)^2 |vertex - a|^2), sides of the grid.
   double deformation = 0;
 };

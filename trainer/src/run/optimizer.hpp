@@ -27,7 +27,7 @@ void optimizer_step(const RunConfig& config, double learning_rate, const std::ve
 // average += (1 - d) (network - average), with d = decay but smaller in the first steps, so that the start is
 // forgotten.
 void update_average(const FloatNetwork& network, double decay, uint64_t step, FloatNetwork* average);
-// Moves the weights of `to_network` by a share of the way to those of `from_network`; both have the same shapes.
+// Moves the weights of `to_network` by a share towards those of `from_network`; both have the same shapes.
 void blend(const FloatNetwork& from_network, double share_of_from, FloatNetwork* to_network);
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What networks of skeletons are to make small, with analytic gradients: of votes, of the published method's slots, of the front.
+// Losses of skeleton networks, with analytic gradients: of votes, of the published method's slots, of the front.
 #ifndef SINEW_TRAINER_RUN_RIG_LOSS_HPP
 #define SINEW_TRAINER_RUN_RIG_LOSS_HPP
 
@@ -27,7 +27,7 @@ RigLoss rig_loss(const RigSample& sample, const std::vector<float>& outputs, std
 struct SlotLossOptions {
   double balance = 0.7;  // what the error of joints counts; that of connections counts the rest
   // False, as published: plain means. True, ours: presences count kPresenceShare in all beside the other numbers, and of the
-  // connections' error half is of pairs that hang together and half of the others.
+  // connections' error half is of connected pairs and half of the others.
   bool balanced = false;
 };
 

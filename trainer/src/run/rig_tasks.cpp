@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a training run asks about votes, slots and fronts.
+// The training tasks of votes, slots and fronts.
 #include "run/rig_tasks.hpp"
 
 #include "network/networks.hpp"

@@ -73,7 +73,7 @@ Samples samples_of(uint32_t variants, uint64_t seed, Make&& make) {
   return samples;
 }
 
-// What a copy is; the character itself stays as it is.
+// The kind of a copy; the character itself is unchanged.
 RigVariant draw_variant(const RigTrainConfig& config, uint64_t seed, double strength) {
   RigVariant variant;
   variant.strength = strength;
@@ -131,7 +131,7 @@ Samples samples_of(const Character& character, const RigTrainConfig& config, uin
   });
 }
 
-// What is no body, one sample for each `variant` and one more.
+// Things that are no bodies, one sample for each `variant` and one more.
 Samples thing_samples_of(const RigTrainConfig& config, uint32_t variants, uint64_t seed) {
   Samples samples;
   for (uint32_t v = 0; v <= variants; ++v) {

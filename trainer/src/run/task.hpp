@@ -30,15 +30,15 @@ class TrainingTask {
   // Channels that are never dropped and channels that are always 0; shares and seed are the run's.
   virtual DropoutOptions channels() const { return {}; }
 
-  // What runs the network on samples, for one thread.
+  // Runs the network on samples, for one thread.
   virtual std::unique_ptr<SampleRunner<float>> make_runner() const { return std::make_unique<LayerRunner<float>>(); }
 
   // Names of the numbers that loss() returns, for the log. The first is what training makes small.
   virtual std::vector<std::string> loss_names() const = 0;
-  // Of a sample with the network's outputs as the runner's forward() gives them. d_outputs: the gradient, overwritten.
+  // The loss of a sample with the network's outputs of the runner's forward(). d_outputs: the gradient, overwritten.
   virtual std::vector<double> loss(const NetworkSample& sample, const std::vector<float>& outputs,
                                    std::vector<float>* d_outputs) const = 0;
-  // What validation compares: 0 or more, smaller is better.
+  // The validation score: 0 or more, smaller is better.
   virtual std::string score_name() const = 0;
   virtual double score(const NetworkSample& sample, const std::vector<float>& outputs) const = 0;
   // The score to beat, of something that needs no training.

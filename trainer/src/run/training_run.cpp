@@ -79,7 +79,7 @@ void require_same_config(const std::string& saved, const std::string& given, con
               "); use --init to start a new run from its weights");
 }
 
-// What a run's log says of when to stop: by the mean of some columns.
+// When to stop by a run's log: by the mean of some columns.
 struct Course {
   size_t since_best = 0;  // lines behind the best one
   double last = 1e30;
@@ -221,7 +221,7 @@ void TrainingRun::say_finished() const {
   std::fprintf(stderr, "%s%s: nothing to do: %s\n", options_.label.c_str(), options_.output.c_str(), text);
 }
 
-// All ranks go by rank 0's clock, and all stop when one is told to.
+// All ranks use rank 0's clock, and all stop when one gets a signal.
 void TrainingRun::agree() {
   std::vector<double> shared = {options_.stop != nullptr && options_.stop->load() ? 1.0 : 0.0,
                                 main_ ? checkpoint_.state.seconds : 0.0};
@@ -275,7 +275,7 @@ std::string TrainingRun::settled() const {
   const Course course = course_of(checkpoint_.state.log_csv, columns);
   const std::string what = val_.empty() ? task_.loss_names()[0] : task_.score_name();
   if (config_.patience == 0 || course.since_best < config_.patience) return "";
-  std::snprintf(text, sizeof text, "%shas stopped falling (patience %u)", what.c_str(), config_.patience);
+  std::snprintf(text, sizeof text, "%s has stopped falling (patience %u)", what.c_str(), config_.patience);
   return text;
 }
 

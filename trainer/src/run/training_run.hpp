@@ -14,7 +14,7 @@
 
 namespace sinew {
 
-// What a run draws from and validates on; borrowed, the samples must outlive the run.
+// Training and validation samples of a run; borrowed, the samples must outlive the run.
 struct TrainingItems {
   std::vector<std::vector<const NetworkSample*>> choices;  // each: the original, then its variants
   std::vector<std::string> families;                       // of choices

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One joint turned, seen from the side on which it bends, by linear skinning and by the engine's deformer; under cloth, skin that
-// comes through shows in its own color.
+// One rotated joint, seen from the side on which it bends, by linear skinning and by the engine's deformer; under
+// cloth, skin that comes through shows in its own color.
 #include "score/bends.hpp"
 #include "sinew/deform.h"
 #include "sinew_character/bind/transfer.hpp"

@@ -20,7 +20,7 @@
 
 namespace sinew {
 
-// What is shown of a class of joints.
+// The view of a class of joints.
 struct Bend {
   uint32_t joint_class;
   const char* what;  // as "elbow, bent by"
@@ -28,7 +28,7 @@ struct Bend {
   bool twist;      // about the bone before it
   bool upwards;    // as arms are raised, in the plane that the front view shows; else to the front
   bool backwards;  // as knees bend
-  double aside;    // degrees that the view turns away from the axis, to the front
+  double aside;    // rotation of the view from the axis to the front, degrees
 };
 const std::vector<Bend>& report_bends();
 

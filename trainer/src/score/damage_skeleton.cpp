@@ -55,7 +55,7 @@ class SkeletonDamage {
     return false;
   }
 
-  //   limb  -1: all, 0: arms, 1: legs, with what hangs on them
+  //   limb  -1: all, 0: arms, 1: legs, with their children
   bool sides(int limb) {
     bool any = false;
     for (size_t j = 0; j < c_.joints.size(); ++j) {

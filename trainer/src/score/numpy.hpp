@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the yardstick takes from numpy and scipy: default_rng, draw for draw, from which its random poses come, and
-// linear_sum_assignment, the cheapest way to pair rows with columns.
+// Functions of numpy and scipy for the benchmark: default_rng, draw for draw, the source of its random poses, and
+// linear_sum_assignment, the cheapest pairing of rows with columns.
 #ifndef SINEW_TRAINER_SCORE_NUMPY_HPP
 #define SINEW_TRAINER_SCORE_NUMPY_HPP
 

@@ -166,7 +166,7 @@ NetworkSample pair_sample(const SlotJoints& joints) {
   return s;
 }
 
-// What float says of a set, as the second network reads it.
+// The float output for a set, as the second network reads it.
 SlotJoints float_joints(const std::vector<float>& outputs, const std::vector<float>& rows) {
   SlotJoints joints = {};
   const auto grid = [&](uint32_t slot, uint32_t axis) {

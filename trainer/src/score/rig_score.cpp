@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Distances between skeletons, joints in pairs, and what hangs together.
+// Distances between skeletons, pairs of joints, and connected joints.
 #include "sinew_trainer/rig_score.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ double distance_of(const Point3& a, const Point3& b) {
   return std::sqrt(x * x + y * y + z * z);
 }
 
-// Of every point, how far the nearest of `others` is. Plain search: a few thousand points take milliseconds.
+// The distance of every point to the nearest of `others`. Plain search: a few thousand points take milliseconds.
 std::vector<double> nearest_distances(const std::vector<Point3>& points, const std::vector<Point3>& others) {
   std::vector<double> x, y, z;
   for (const Point3& p : points) {
@@ -52,7 +52,7 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-// Half the sum of both ways: `a` to `near_a`, `b` to `near_b`.
+// Half the sum of both directions: `a` to `near_a`, `b` to `near_b`.
 double both_ways(const std::vector<Point3>& a, const std::vector<Point3>& near_a, const std::vector<Point3>& b,
                  const std::vector<Point3>& near_b) {
   return 0.5 * (mean(nearest_distances(a, near_a)) + mean(nearest_distances(b, near_b)));
@@ -86,7 +86,7 @@ std::vector<std::vector<size_t>> neighbors(const ScoredSkeleton& skeleton) {
   return found;
 }
 
-// Is there a way from one joint to the other that passes no paired joint?
+// Is there a path from one joint to the other that passes no paired joint?
 bool hang_together(const std::vector<std::vector<size_t>>& next_to, const std::vector<int>& pairs, size_t from,
                    size_t to) {
   std::vector<size_t> open = {from};

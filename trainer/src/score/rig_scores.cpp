@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a user sees of a predicted skeleton: which part of the surface moves with which bone. Means of rig scores over characters and
-// families, and their table as Markdown and JSON.
+// The user's view of a predicted skeleton: which part of the surface moves with which bone. Means of rig scores over
+// characters and families, and their table as Markdown and JSON.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -59,7 +59,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What there was nothing to count for does not count.
+// Scores without anything to count are ignored.
 RigScore mean(const std::vector<RigScore>& rows) {
   RigScore out;
   for (const RigFigure& figure : kRigFigures) {

@@ -31,10 +31,10 @@ void check_against(const std::string& path, const CheckOptions& options, Checked
 
 // 0..100: how near the weights are to those of the bundled model, the heat method and the nearest bone, among joints that names and positions let have weight: 100 less
 // half of the mean L1 difference, in percent. Binds on which methods disagree, or that no method would make, get less. Of weights that were
-// made by a program; an artist's own way of weighting costs points without being worse. Throws Error.
+// made by a program; an artist's own style of weighting costs points without being worse. Throws Error.
 double weight_score(const Character& character);
 
-// What a pipeline lets through.
+// Limits of a pipeline.
 struct CheckGate {
   size_t most_errors = 0, most_warnings = 0, most_notes = SIZE_MAX;
   std::vector<std::string> ignored;      // rules whose findings do not count

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What kind of body a character has, in a word, and which kind an outline is of.
+// Kinds of bodies by name, and the kind of an outline.
 #ifndef SINEW_CHARACTER_BODY_CLASS_HPP
 #define SINEW_CHARACTER_BODY_CLASS_HPP
 
@@ -33,7 +33,7 @@ std::optional<BodyClass> body_class_of(const std::string& word);
 inline uint32_t category_of(BodyClass body) { return static_cast<uint32_t>(body) + SINEW_CATEGORY_BIPED; }
 inline BodyClass body_of_category(uint32_t category) { return static_cast<BodyClass>(category - SINEW_CATEGORY_BIPED); }
 
-// What kind of body an outline is of, by a small network of its own.
+// The kind of body of an outline, by a small network.
 
 constexpr int kOutlineCells = 24, kOutlineClasses = 6;
 

@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-// Applied in this order: turns, height, floor.
+// Applied in this order: rotations, height, floor.
 struct CharacterTransform {
   std::vector<std::string>
       turns;  // rotations by 90 degrees about an axis through the origin, in order: "x", "-x", "y", ...; x rotates y to z

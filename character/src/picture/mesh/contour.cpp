@@ -54,7 +54,7 @@ std::vector<Loop> contours_of(const Mask& mask) {
       while ((edges[first] >> direction & 1) == 0) ++direction;
       while (true) {
         uint8_t& here = edges[corner(x, y)];
-        // To the right first: pixels that meet at a corner alone are apart.
+        // Tries the right first: pixels that meet only at a corner are not connected.
         bool found = false;
         for (const int turn : {1, 0, 3}) {
           const int next = (direction + turn) % 4;

@@ -30,7 +30,7 @@ bool Delaunay::in_circle(const Triangle& t, int64_t x, int64_t y) const {
          0;
 }
 
-// Walks towards the point; Delaunay's triangulation has no circles of such ways (Edelsbrunner 1989).
+// Walks towards the point; in a Delaunay triangulation such paths have no cycles (Edelsbrunner 1989).
 size_t Delaunay::triangle_at(int64_t x, int64_t y) const {
   size_t at = last_;
   while (true) {
@@ -49,7 +49,7 @@ uint32_t Delaunay::insert(int64_t x, int64_t y) {
     if (points_[c][0] == x && points_[c][1] == y) return c - kFrame;
   const auto point = static_cast<uint32_t>(points_.size());
   points_.push_back({x, y});
-  // All triangles whose circle has the point inside hang together; their hole is filled with a fan.
+  // All triangles whose circumcircle contains the point are connected; their hole is filled with a fan.
   std::vector<size_t> hole = {first};
   all_[first].alive = false;
   struct Rim {

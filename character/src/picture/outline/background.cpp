@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the background of a picture looks like: a smooth color with ruled lines, or a few flat ones.
+// Models the background of a picture: a smooth color with ruled lines, or a few flat colors.
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -17,7 +17,7 @@ struct Part {
   uint32_t side() const { return std::max(right - left, bottom - top) + 1; }
 };
 
-// Of the least share of the largest one's pixels that makes a figure of its own.
+// Least share of the largest one's pixels that makes a separate figure.
 constexpr size_t kFigureShare = 5;
 constexpr size_t kMostFigures = 12;
 constexpr size_t kCrumb = 40;  // pixels that a slit may split off
@@ -169,7 +169,7 @@ void open_holes(const Grid<uint8_t>& likeness, Mask* figure) {
   Mask opened = *figure;
   for (size_t i = 0; i < opened.inside.size(); ++i)
     if (hole(parts.numbers.values[i])) opened.inside[i] = 0;
-  // What hangs together with nothing else is drawn inside of a hole, which is none then.
+  // A component without neighbors is drawn inside a hole; the hole is closed then.
   const Parts rest = parts_of(opened, true);
   if (rest.sizes.empty()) return;
   const auto main = static_cast<int32_t>(std::max_element(rest.sizes.begin(), rest.sizes.end()) - rest.sizes.begin());

@@ -15,7 +15,7 @@ constexpr float kDarkestShadow = 30, kShadowStep = 0.8f;
 constexpr uint32_t kShadowGap = 4;
 // A part that only a wider gap's closing encloses is one, where the figure grows by so much. Less is what lies between legs.
 constexpr float kNewPart = 1.35f;
-// Of the longest side, where nothing was closed before.
+// Share of the longest side, if nothing was closed before.
 constexpr float kWidestGap = 0.014f;
 constexpr float kSeam = 2;  // pixels between what a gap lets in and its strokes
 
@@ -117,7 +117,7 @@ size_t count_of(const std::vector<uint8_t>& bits) {
   return static_cast<size_t>(std::count_if(bits.begin(), bits.end(), [](uint8_t bit) { return bit != 0; }));
 }
 
-// What the strokes enclose once gaps of up to 2 * radius are closed.
+// The area enclosed by the strokes, with gaps of up to 2 * radius closed.
 struct Enclosed {
   Mask barrier;  // the strokes, closed
   Mask inner;    // what lies in them

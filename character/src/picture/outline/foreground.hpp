@@ -41,7 +41,7 @@ class Background {
 
 float length(const Lab& difference);
 
-// What a pixel is by its color alone.
+// The class of a pixel by its color alone.
 enum Likeness : uint8_t { kUnlike = 0, kShadow = 1, kLike = 2 };
 
 struct Foreground {

@@ -20,7 +20,7 @@ constexpr float kTouches = 1.5f;   // half widths: where the figure goes on for 
 constexpr float kBefore = 1.6f;    // half widths: farther from the outline a limb lies before the body
 constexpr float kRoom = 1.1f;      // half widths from the bone to the slit
 constexpr float kLeastRun = 1.5f;  // half widths that a slit is long
-constexpr float kMiddle = 0.8f;    // of the way to the torso's middle, which a slit is nearer than
+constexpr float kMiddle = 0.8f;    // of the distance to the torso's middle, which a slit is nearer than
 constexpr size_t kFewest = 8;      // pixels of a limb
 
 // A point of a bone, with how far the figure goes on to both of its sides.

@@ -11,11 +11,12 @@
 namespace sinew::picture {
 namespace {
 
-// Of the longest side of the picture.
+// Shares of the longest side of the picture.
 constexpr float kWidestStroke = 0.02f, kShortestLine = 0.1f, kThinnestLimb = 0.025f;
 constexpr float kContrast = 18;     // of L between a stroke and what is on both sides of it
 constexpr float kBorderInk = 0.3f;  // less ink than that at a depth: the outline's own stroke has ended
-// What a slit frees is a limb where it is so many times as long as it lies below the outline anywhere. A neck or a snout is not.
+// The part that a slit separates is a limb if it is so many times as long as its largest depth below the outline. A
+// neck or a snout is not.
 constexpr float kSlender = 2.4f;
 constexpr int32_t kMostBranches = 4;
 
@@ -36,7 +37,7 @@ Grid<float> extreme(const Grid<float>& in, uint32_t radius, const Better& better
   return out;
 }
 
-// What is darker than both of its sides: closing less the picture itself (the black top hat).
+// Lines darker than both of their sides: closing minus the picture (the black top hat).
 Mask strokes_of(const Grid<Lab>& colors, const Mask& figure, uint32_t radius) {
   Grid<float> light(colors.width, colors.height, 100);  // as paper where there is no figure
   for (size_t i = 0; i < light.values.size(); ++i)
@@ -68,7 +69,7 @@ float border_depth(const Mask& ink, const Grid<float>& depth, float most) {
 class InkPaths {
  public:
   explicit InkPaths(const Mask& ink) : ink_(ink), from_(ink.inside.size(), kNone), steps_(ink.inside.size(), 0) {}
-  // The way from `start` to the nearest pixel for which `goal` holds; goals need no ink.
+  // The path from `start` to the nearest pixel for which `goal` holds; goals need no ink.
   template <typename Goal>
   std::vector<uint32_t> to(uint32_t start, const Goal& goal) {
     spread(start, goal);
@@ -163,7 +164,7 @@ struct Search {
 
 // The longest lines without a corner of one part of the inner ink, each from where it leaves the outline's stroke:
 // slits in `figure`. How many.
-//   inside, out  ways through `inner`, and from there out of the figure
+//   inside, out  paths through `inner`, and from there out of the figure
 size_t cut_part(const Search& search, const std::vector<uint32_t>& anchors, InkPaths* inside, InkPaths* out,
                 Mask* inner, Mask* figure) {
   size_t cuts = 0;
@@ -180,7 +181,7 @@ size_t cut_part(const Search& search, const std::vector<uint32_t>& anchors, InkP
     const auto below = [&](uint32_t a, uint32_t b) { return search.depth.values[a] < search.depth.values[b]; };
     const float deepest = search.depth.values[*std::max_element(longest.begin(), longest.end(), below)];
     const bool slender = static_cast<float>(longest.size()) >= kSlender * deepest;
-    // What follows the outline is its own stroke; what ends at it parts the figure from border to border.
+    // A line along the outline is the outline's stroke; one that ends at it divides the figure from border to border.
     const auto is_deep = [&](uint32_t i) {
       return search.depth.values[i] > std::max(search.thinnest, 2.5f * search.border);
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What reads one format each.
+// Decoders, one per format.
 #ifndef SINEW_CHARACTER_PICTURE_READ_DECODERS_HPP
 #define SINEW_CHARACTER_PICTURE_READ_DECODERS_HPP
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which decoder; limits; rows turned as EXIF says.
+// Chooses the decoder, checks limits, rotates rows by EXIF orientation.
 #include <cstring>
 #include <memory>
 #include <utility>
@@ -17,8 +17,8 @@ bool begins_with(const std::vector<uint8_t>& bytes, const char* text, size_t siz
   return bytes.size() >= size && std::memcmp(bytes.data(), text, size) == 0;
 }
 
-// Of the file's rows, for a point of the seen ones. Exif 2.3, figure 3: 2 mirrored, 3 180 degrees, 4 upside down, 5
-// to 8 with the axes exchanged.
+// Index in the file's rows of a point of the displayed ones. Exif 2.3, figure 3: 2 mirrored, 3 180 degrees, 4 upside
+// down, 5 to 8 with the axes exchanged.
 template <typename T>
 std::pair<T, T> file_row_point(uint8_t orientation, T x, T y, T last_x, T last_y) {
   switch (orientation) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// PNG by libpng's simplified interface, which turns palettes, 16 bits, gray and interlaced rows into RGBA and never leaves by longjmp.
+// PNG by libpng's simplified interface, which converts palettes, 16 bits, gray and interlaced rows into RGBA and
+// never leaves by longjmp.
 #include "picture/read/decoders.hpp"
 #include "sinew_formats/error.hpp"
 

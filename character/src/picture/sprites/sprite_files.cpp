@@ -71,7 +71,7 @@ struct Chunk {
   std::vector<uint8_t> data;
 };
 
-// Of a PNG that libpng has just written.
+// The chunks of a PNG that libpng has just written.
 std::vector<Chunk> chunks_of(const std::vector<uint8_t>& png) {
   std::vector<Chunk> chunks;
   for (size_t at = kSignature; at + kChunkFrame <= png.size();) {

@@ -12,7 +12,7 @@
 
 namespace sinew {
 
-// What is counted of one character.
+// Counts of one character.
 struct CharacterStats {
   std::string name, family;
   CheckReport report;

@@ -13,8 +13,8 @@
 
 namespace sinew {
 
-// Meshes are compared after moving and scaling (not turning), vertex by vertex in any order; weights by joints at the
-// same position whatever their names.
+// Meshes are compared after translation and scaling (not rotation), vertex by vertex in any order; weights by joints
+// at the same position whatever their names.
 enum class Likeness {
   kSame,           // nothing differs beyond rounding
   kNear,           // positions differ by less than 1 % of the size, weights by less than an L1 of 0.05

@@ -39,7 +39,7 @@ struct TargetSkeleton {
 // 4. A child nearer than 1 % of the side to its parent, or 8 % where both are pelvises, is merged into it; the position of
 //    the heavier one stays.
 // 5. Every leaf gets a bone end: the file's, where exactly one weightless leaf hangs on it further than 1 % away; else
-//    0.85 of the way to the end (98 % quantile) of its vertices, in their mean direction. None where that is below 1 %.
+//    0.85 of the distance to the end (98 % quantile) of its vertices, in their mean direction. None where that is below 1 %.
 // Throws Error for a character without joints, weights or extent, or with indices that lead nowhere.
 TargetSkeleton target_skeleton(const Character& character);
 

@@ -69,7 +69,7 @@ class Grid {
 
 }  // namespace
 
-// What is left of a character: little enough to keep a whole data set in memory.
+// A digest of a character, small enough to keep a whole data set in memory.
 struct DuplicateFinder::Shape {
   std::vector<FloatPoint> positions, joints;
   std::vector<uint32_t> valence;  // corners at each vertex

@@ -18,7 +18,7 @@ using HalfEdgeTraits = OpenMesh::DefaultTraitsDouble;
 
 // Fills `mesh` with all `vertices` in order, copies behind them, and all `faces` (corners distinct). Returns the vertex
 // each vertex of `mesh` comes from; face_origin gets the face each face of `mesh` comes from. Faces that cannot be
-// added are tried again among themselves on fresh copies, layer by layer, so that what hangs together there stays
+// added are tried again among themselves on fresh copies, layer by layer, so that what is connected there stays
 // together.
 template <class Mesh>
 std::vector<uint32_t> fill_half_edges(const std::vector<Vec3>& vertices,

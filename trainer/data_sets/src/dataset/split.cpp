@@ -41,7 +41,7 @@ std::vector<SplitUnit> split_units(const std::vector<std::string>& keys) {
 std::vector<bool> choose_validation(const std::vector<SplitUnit>& units, double share, uint64_t seed) {
   if (units.size() < 2) {
     throw Error("split: " + std::to_string(units.size()) +
-                "unit cannot be split; expected at least two families, groups or characters");
+                " unit cannot be split; expected at least two families, groups or characters");
   }
   std::vector<size_t> order(units.size());
   std::iota(order.begin(), order.end(), size_t{0});

@@ -145,7 +145,7 @@ class TargetMaker {
     std::iota(hosts_.begin(), hosts_.end(), 0);
     const JointVerdicts by_weight = joint_verdicts(c_.joints, follows_of(c_)), by_name = joint_verdicts(c_.joints);
     for (const int j : order_) {
-      // Of a leaf that nothing follows the name alone says whether it is a detail.
+      // Only the name decides whether a leaf without weight is a detail.
       bool detail = (by_weight.is_end(at(j)) ? by_name : by_weight).roles[at(j)] > SINEW_ROLE_END ||
                     (by_weight.is_end(at(j)) && by_name.is_end(at(j)) && file_parents_[at(j)] >= 0 &&
                      hosts_[at(file_parents_[at(j)])] != file_parents_[at(j)]);
@@ -196,7 +196,7 @@ class TargetMaker {
     return found;
   }
 
-  // One root in the end; what stood beside it hangs on the nearest joint below it.
+  // One root in the end; its former siblings become children of the nearest joint below it.
   void drop_unbound_roots() {
     while (true) {
       std::vector<int> tops = alive_children(-1);
@@ -280,7 +280,7 @@ class TargetMaker {
     return j;
   }
 
-  // What is left of a joint, else of the nearest joint above it, else the joint nearest to it.
+  // The remaining joint for a joint, else for the nearest joint above it, else the joint nearest to it.
   void find_owners() {
     const std::vector<int> left = alive();
     std::map<int, uint32_t> index;

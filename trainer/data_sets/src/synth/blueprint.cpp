@@ -36,7 +36,7 @@ std::vector<int> chain(Blueprint* plan, const std::string& name, const std::stri
   return made;
 }
 
-// What is drawn of a biped, in the order of its draws.
+// Random numbers of a biped, in the order of its draws.
 struct BipedSizes {
   double leg, torso, girth, head, neck_length, hip_half, shoulder_half, waist, chest_radius;
   double thigh_radius, ankle_radius, arm_radius, wrist_radius;

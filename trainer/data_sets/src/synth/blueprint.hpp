@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a generated character is made of before it becomes a mesh: joints, body primitives, and who is who for the
+// The plan of a generated character before it becomes a mesh: joints, body primitives, and who is who for the
 // tailor.
 #ifndef SINEW_DATA_SETS_SYNTH_BLUEPRINT_HPP
 #define SINEW_DATA_SETS_SYNTH_BLUEPRINT_HPP
@@ -31,7 +31,7 @@ struct PlanJoint {
   bool has_tip = false;
 };
 
-// What the surface of a body is: one smooth skin with blended weights, or rigid parts, one or two for every bone.
+// Kinds of a body's surface: one smooth skin with blended weights, or rigid parts, one or two for every bone.
 enum class Build { kSmooth, kCapsules, kBoxes };
 
 struct Limb {

@@ -165,7 +165,7 @@ class Grid {
   double cell() const { return cell_; }
 
   // Fills outside corners (the nearest to the surface first) until no face of a cell is a checkerboard and the inside
-  // and the outside corners of every cell hang together by edges. Filling only ever adds, so this ends.
+  // and the outside corners of every cell are connected by edges. Filling only ever adds, so this ends.
   void make_well_composed() {
     bool changed = true;
     while (changed) {
@@ -285,7 +285,7 @@ Point gradient(const Blueprint& plan, Point p, double here, double h) {
           (body_distance(plan, p + Point{0, 0, h}) - here) / h};
 }
 
-// Evens out the faces: each vertex goes half way to the mean of its neighbors, then back onto the surface by Newton
+// Evens out the faces: each vertex moves halfway to the mean of its neighbors, then back onto the surface by Newton
 // steps.
 void relax(const Blueprint& plan, const std::vector<Point>& low, const std::vector<Point>& high, Surface* surface) {
   const size_t count = surface->positions.size();

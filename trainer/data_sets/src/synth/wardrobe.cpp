@@ -79,7 +79,7 @@ std::vector<Influence> trunk_weights(const Blueprint& plan, double y) {
   return {{static_cast<uint32_t>(plan.trunk[0]), 1.0f}};
 }
 
-// What hanging cloth has to clear: not the arms, not a tail.
+// Body parts that hanging cloth has to clear: not the arms, not a tail.
 std::vector<bool> trunk_and_legs(const Blueprint& plan) {
   std::vector<bool> set(plan.joints.size(), false);
   for (int joint : plan.trunk) set[static_cast<size_t>(joint)] = true;
