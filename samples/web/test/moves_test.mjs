@@ -112,7 +112,7 @@ try {
     await page.click("#play");
     await page.waitForTimeout(300);
     const before = Number(await page.inputValue("#time"));
-    await method("Copied");
+    await method("Copy");
     assert.equal(await page.locator("#play").innerText(), "Pause", "it plays on");
     assert.ok(Number(await page.inputValue("#time")) !== before);
     await to(0.42);

@@ -164,7 +164,7 @@ try {
     await give(fileOf(at("springs.glb")));
     await page.click("#clip-grid [data-clip=trot]");
     await settled();
-    assert.deepEqual((await chains()).map(({ name, about, on }) => [name, about, on]), [["ear.L", "ear, from the file", true], ["ear.R", "ear, from the file", true], ["tail_1", "tail, the file's", true]]);
+    assert.deepEqual((await chains()).map(({ name, about, on }) => [name, about, on]), [["ear.L", "ear, from the file", true], ["ear.R", "ear, from the file", true], ["tail_1", "tail, from the file", true]]);
     assert.equal(await page.isChecked("#springs-on"), true);
     await to(0.4);
     assert.ok(apart(await shownJoints(), swinging) < 0.02, "they swing as they did where they were found");
