@@ -80,8 +80,8 @@ try {
     assert.match(words, /^\d+ bones, (all sure\.|\d limbs? to check: )/);
     assert.deepEqual(ways.slice(-2), words.includes("sure") ? ["Fix bones", "Export"] : ["Choose animations", "Export"]);
     assert.equal(await page.isVisible("#panel"), false);
-    await page.evaluate(() => (window.before = sinewPage.view.shownJoints().join()));
-    await page.waitForFunction(() => sinewPage.view.shownJoints().join() !== window.before, null, { timeout: 5000 });
+    await page.evaluate(() => (window.before = sinewPage.view.shown("joints").join()));
+    await page.waitForFunction(() => sinewPage.view.shown("joints").join() !== window.before, null, { timeout: 5000 });
     await shoot("walks");
     await page.click("#offer button:has-text('Choose animations')");
     await settled();

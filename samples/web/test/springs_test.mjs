@@ -9,7 +9,7 @@ import { fileOf, made, startPage } from "./page.mjs";
 
 const { data, server, browser, page, at, command, file, undoName, settled, shoot, errorLine, give, slide, downloaded, go, step } = await startPage("springs_");
 const chains = () => page.locator("#spring-chains li").evaluateAll((rows) => rows.map((row) => ({ name: row.querySelector(".name").textContent, about: row.querySelector(".share").textContent, on: row.querySelector("input").checked, disabled: row.querySelector("input").disabled })));
-const shownJoints = () => page.evaluate(() => sinewPage.view.shownJoints());
+const shownJoints = () => page.evaluate(() => sinewPage.view.shown("joints"));
 const jsonOf = (glb) => JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12)));
 // The rotations of all channels of a GLB's clips, by joints.
 function rotationsOf(glb) {
