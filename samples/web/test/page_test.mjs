@@ -70,6 +70,7 @@ let page;
 
 async function openPage(query, size) {
   page = await newPage(browser, troubles);
+  await page.emulateMedia({ reducedMotion: "reduce" }); // bare meshes stand: first_test.mjs lets them walk
   if (size) await page.setViewportSize(size);
   page.on("request", (request) => asked.push(request.url()));
   await page.goto(server.address + query);
