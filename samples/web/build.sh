@@ -11,6 +11,8 @@ if [ "${1:-}" = --packages ]; then
   command -v zopfli >/dev/null || echo zopfli
   [ -f /usr/include/utf8.h ] || echo libutfcpp-dev # Assimp's, whose sources samples/npm/wasm/scenes/assimp.sh fetches
   command -v chromium google-chrome google-chrome-stable chromium-browser >/dev/null || echo chromium
+  command -v firefox-esr firefox >/dev/null || echo firefox-esr
+  command -v Xvfb >/dev/null || echo xvfb # Firefox has no WebGL without a display
   exit 0
 fi
 . "$root/samples/npm/wasm/modules.sh"

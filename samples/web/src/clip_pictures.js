@@ -3,6 +3,7 @@
 // for another kind of body has none, and comes last.
 import { all, at, engine } from "./state.js";
 import { isForThisBody } from "./builtin_clips.js";
+import { isBusy } from "./jobs.js";
 
 const frames = 12;
 const still = matchMedia("(prefers-reduced-motion: reduce)");
@@ -10,6 +11,15 @@ const still = matchMedia("(prefers-reduced-motion: reduce)");
 let madeOf = null; // the bind that the pictures show
 /** @type {Promise<void> | null} */
 let making = null;
+
+const quiet = 500; // milliseconds without keys and pointers
+let lastInput = 0;
+for (const name of ["pointerdown", "pointermove", "keydown", "wheel"]) addEventListener(name, () => (lastInput = performance.now()), { capture: true, passive: true });
+
+// Nothing else is asked of the engine: pictures wait.
+async function untilQuiet() {
+  while (performance.now() - lastInput < quiet || at.drag.runs || isBusy()) await new Promise((resolve) => setTimeout(resolve, 100));
+}
 
 const isWanted = () => at.step === "motion" && Boolean(at.character?.result) && Boolean(at.view.look) && document.visibilityState === "visible";
 
@@ -29,7 +39,7 @@ async function fill(button) {
 /** @param {import("./types.js").BindResult} result */
 async function fillAll(result) {
   for (const button of all("#clip-grid button")) {
-    await new Promise((resolve) => ("requestIdleCallback" in window ? requestIdleCallback(resolve, { timeout: 500 }) : setTimeout(resolve, 50)));
+    await untilQuiet();
     if (!isWanted() || at.character.result !== result) return;
     if (button.dataset.madeOf !== result.hash) await fill(button);
     button.dataset.madeOf = result.hash;

@@ -77,14 +77,14 @@ const cell = (tag, text) => Object.assign(document.createElement(tag), { textCon
 // What the panel says of the chosen program, and of what its file leaves out: the file is written once for that, and thrown away.
 export function showProgram() {
   const program = chosenProgram();
-  $("program-facts").replaceChildren(...factsOf(program, at.options.toPose === "t").flatMap(([what, how]) => [cell("dt", what), cell("dd", how)]));
+  const clips = (at.player.motion?.clips ?? []).map((/** @type {{ name: string }} */ { name }) => name || "clip");
+  $("program-facts").replaceChildren(...factsOf(program, at.options.toPose === "t", $("with-clips").checked ? clips : []).flatMap(([what, how]) => [cell("dt", what), cell("dd", how)]));
   $("vrm-fields").hidden = program.kind !== "vrm";
   at.onProgram();
   if (at.step !== "export" || !at.character?.result) return;
   run(async () => {
     if (program !== chosenProgram() || !at.character?.result) return;
-    const clips = at.player.motion?.own ? 0 : (at.player.motion?.clips.length ?? 0);
-    const known = lossesOf(program, { springs: at.springs.on, baked: $("bake-springs").checked, clips, withClips: $("with-clips").checked, skinning: at.bends.skinning, turned: at.pose.turns.some((turn) => turn !== 0) });
+    const known = lossesOf(program, { springs: at.springs.on, baked: $("bake-springs").checked, clips: at.player.motion?.own ? 0 : clips.length, withClips: $("with-clips").checked, skinning: at.bends.skinning, turned: at.pose.turns.some((turn) => turn !== 0) });
     const { notes } = await whileBusy("Looking at what the file can hold", () => written(program.kind, program.profile)).catch((error) => ({ notes: [`This file cannot be written: ${error.message}`] }));
     const lines = [...known, ...notes.map(sentenceOf)].filter(Boolean);
     $("losses").replaceChildren(...(lines.length === 0 ? ["Nothing is lost."] : lines).map((line) => cell("li", line)));

@@ -21,9 +21,9 @@ export const unitOf = (kind) => (kind === "fbx" ? "Centimeters" : "Meters");
 const kinds = /** @type {Record<string, string>} */ ({ glb: "GLB (binary glTF)", fbx: "FBX 7.5", vrm: "VRM 1.0" });
 
 // What a file for it is like: [what, how].
-// isPosed: the user has chosen a T pose.
-/** @param {Program} program @param {boolean} isPosed @returns {string[][]} */
-export const factsOf = ({ kind, bones, pose, influences }, isPosed) => [["File", kinds[kind]], ["Unit", unitOf(kind)], ["Bone names", bones], ["Rest pose", isPosed && !pose.startsWith("T") ? "T pose, as set in Skeleton" : pose], ["Bones per vertex", influences ? `At most ${influences}` : "As set in Weights"]];
+// isPosed: the user has chosen a T pose; clips: names of those that go along.
+/** @param {Program} program @param {boolean} isPosed @param {string[]} clips @returns {string[][]} */
+export const factsOf = ({ kind, bones, pose, influences }, isPosed, clips) => [["File", kinds[kind]], ["Unit", unitOf(kind)], ["Bone names", bones], ["Rest pose", isPosed && !pose.startsWith("T") ? "T pose, as set in Skeleton" : pose], ["Bones per vertex", influences ? `At most ${influences}` : "As set in Weights"], ["Clips", clips.length > 3 ? `${clips.slice(0, 3).join(", ")} and ${clips.length - 3} more` : clips.join(", ") || "None"]];
 
 // What a file cannot hold of the character, by what is known before it is written.
 /** @param {Program} program @param {{ springs: boolean, baked: boolean, clips: number, withClips: boolean, skinning: number, turned: boolean }} character */

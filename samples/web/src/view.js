@@ -8,7 +8,7 @@ import { boxOfClip, Framing, middleOfJoints, slanted } from "./framing.js";
 import { Floor, Lighting } from "./lighting.js";
 import { MarkerBalls } from "./marker_balls.js";
 import { OutlineView } from "./outline_view.js";
-import { pictureOfPart, pictureOfPoses } from "./part_picture.js";
+import { pictureOfPart, pictureOfPoses } from "./small_pictures.js";
 import { Pointer } from "./pointer.js";
 import { Rings } from "./rings.js";
 import { ContactSpots } from "./spots.js";
@@ -103,22 +103,19 @@ export class View extends ViewEvents {
     this.#floor.show(this.#framing, this.#mesh.geometry.boundingBox.clone().applyMatrix4(this.#model.matrixWorld).min.y);
   }
 
-  setSkeleton(joints) {
-    this.select(-1);
+  // areNew: else the same joints elsewhere.
+  setSkeleton(joints, areNew = true) {
+    if (areNew) this.select(-1);
     this.#joints = joints;
     this.#jointPositions = Float32Array.from(joints.flatMap((j) => j.position));
-    this.#rings.make(joints);
-    this.#bones.make(joints, this.#jointPositions);
+    if (areNew) this.#rings.make(joints);
+    else this.#rings.place(joints);
+    if (areNew) this.#bones.make(joints, this.#jointPositions);
+    else this.#bones.place(this.#jointPositions);
     this.redraw();
   }
-
-  // The same joints elsewhere.
   moveSkeleton(joints) {
-    this.#joints = joints;
-    this.#jointPositions = Float32Array.from(joints.flatMap((j) => j.position));
-    this.#rings.place(joints);
-    this.#bones.place(this.#jointPositions);
-    this.redraw();
+    this.setSkeleton(joints, false);
   }
 
   // colours: [[r, g, b]], 0 to 255, or null.
@@ -215,9 +212,7 @@ export class View extends ViewEvents {
     this.#outline.choose(index);
     this.redraw();
   }
-  pixelAt(place) {
-    return this.#outline.toPixel(place);
-  }
+  pixelAt = (place) => this.#outline.toPixel(place);
 
   // What of the character is shown: its file's look or the coloured mesh, with bones, or its drawing alone.
   #showParts() {
@@ -329,14 +324,9 @@ export class View extends ViewEvents {
     this.#stage.redraw();
   }
 
-  // Where a joint is on the page.
-  jointOnScreen(joint) {
-    return this.onScreen(this.jointPosition(joint));
-  }
-  // Where a point of the model is on the page.
-  onScreen(point) {
-    return this.#stage.onScreen(new Vector3(...point).applyMatrix4(this.#model.matrixWorld));
-  }
+  // Where a joint, and any point of the model, is on the page.
+  jointOnScreen = (joint) => this.onScreen(this.jointPosition(joint));
+  onScreen = (point) => this.#stage.onScreen(new Vector3(...point).applyMatrix4(this.#model.matrixWorld));
 
   // Brings a joint into the middle, nearer where the whole character was in view.
   lookAtJoints(joints) {
@@ -347,9 +337,7 @@ export class View extends ViewEvents {
     this.hold();
   }
 
-  jointPosition(joint) {
-    return [...this.#jointPositions.subarray(joint * 3, joint * 3 + 3)];
-  }
+  jointPosition = (joint) => [...this.#jointPositions.subarray(joint * 3, joint * 3 + 3)];
   // The ends of a bone on the page, of a root its own place twice.
   boneOnScreen(joint) {
     const { parent } = this.#joints[joint];
@@ -380,11 +368,8 @@ export class View extends ViewEvents {
 
   // A picture of a part at rest, orange on the rest: the address of a PNG. members: see Questions; vertexOf: of shown vertices; null where there is none.
   pictureOf(members, vertexOf) {
-    const bonesShown = this.#bones.shown;
-    this.#bones.shown = false;
-    const hidden = [this.#rings.helper, this.#floor.grid, this.#look?.root];
-    const url = pictureOfPart({ renderer: this.#stage.renderer, scene: this.#stage.scene, model: this.#model, mesh: this.#mesh, radius: this.#framing.radius, hidden }, members, vertexOf);
-    this.#bones.shown = bonesShown;
+    const { renderer, scene } = this.#stage;
+    const url = pictureOfPart({ renderer, scene, model: this.#model, mesh: this.#mesh, radius: this.#framing.radius }, members, vertexOf);
     this.redraw();
     return url;
   }
@@ -399,27 +384,15 @@ export class View extends ViewEvents {
   }
 
   // The address of a small picture of what is shown.
-  thumbnail() {
-    return this.#stage.thumbnail();
-  }
+  thumbnail = () => this.#stage.thumbnail();
 
-  // The rest is for tests.
-  shownJoints() {
-    return Array.from(this.#jointPositions);
+  // For tests: joints, positions, colours or spots as they are shown.
+  shown(what) {
+    if (what === "joints") return Array.from(this.#jointPositions);
+    if (what === "spots") return this.#spots.shown;
+    return Array.from(this.#mesh.geometry.getAttribute(what === "colours" ? "color" : "position").array);
   }
-  shownPositions() {
-    return Array.from(this.#mesh.geometry.getAttribute("position").array);
-  }
-  shownSpots() {
-    return this.#spots.shown;
-  }
-  shownColours() {
-    return Array.from(this.#mesh.geometry.getAttribute("color").array);
-  }
-  ringUnderPointer() {
-    return this.onRing;
-  }
-  // How far the rings' own skeleton is from where the engine has the joints, in sizes of the character.
+  // And how far the rings' own skeleton is from where the engine has the joints, in sizes of the character.
   largestHandleDistance() {
     return this.#rings.largestDistance(this.#jointPositions) / this.#framing.radius;
   }

@@ -4,6 +4,7 @@
 //   first_test.mjs DIST_DIR SOURCE_DIR WORK_DIR SINEW_COMMAND
 import assert from "node:assert/strict";
 import { existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { cpus, loadavg } from "node:os";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { made, startPage } from "./page.mjs";
@@ -74,14 +75,15 @@ try {
     writeFileSync(at("robot.obj"), readFileSync(join(data, "biped__robot.obj")));
     const milliseconds = await open(made("robot.obj", readFileSync(at("robot.obj"))));
     console.log(`  walks ${(milliseconds / 1e3).toFixed(1)} s after it was chosen`);
-    assert.ok(milliseconds < 8000, `${milliseconds} ms`); // about 4 s is wanted where nothing else runs
+    // About 4 s is wanted where nothing else runs; other tests may run beside this one.
+    if (loadavg()[0] < 1.5 * cpus().length) assert.ok(milliseconds < 8000, `${milliseconds} ms`);
     assert.equal(await errorLine(), "");
     const [words, ways] = await bar();
     assert.match(words, /^\d+ bones, (all sure\.|\d limbs? to check: )/);
     assert.deepEqual(ways.slice(-2), words.includes("sure") ? ["Fix bones", "Export"] : ["Choose animations", "Export"]);
     assert.equal(await page.isVisible("#panel"), false);
-    await page.evaluate(() => (window.before = sinewPage.view.shownJoints().join()));
-    await page.waitForFunction(() => sinewPage.view.shownJoints().join() !== window.before, null, { timeout: 5000 });
+    await page.evaluate(() => (window.before = sinewPage.view.shown("joints").join()));
+    await page.waitForFunction(() => sinewPage.view.shown("joints").join() !== window.before, null, { timeout: 5000 });
     await shoot("walks");
     await page.click("#offer button:has-text('Choose animations')");
     await settled();
@@ -215,6 +217,23 @@ try {
     await settled();
     assert.equal(await errorLine(), "");
     await shoot("snake");
+  });
+
+  await step("by touch the first tap on an answer shows what it changes, the second takes it", async () => {
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    await give(file("biped__robed.obj"), file("biped__robed.rig.txt"));
+    await go("weights");
+    await page.click("#next-question");
+    const tap = async () => {
+      await page.locator("#questions .alternative").first().evaluate((one) => one.dispatchEvent(new PointerEvent("click", { bubbles: true, pointerType: "touch" })));
+      await page.waitForTimeout(150); // what is looked at is shown a moment later
+      await settled();
+    };
+    await tap();
+    assert.match(await page.locator("#legend figcaption").innerText(), /^Preview: /);
+    assert.equal(await page.isDisabled("#undo"), true, "nothing is taken");
+    await tap();
+    assert.match(await page.getAttribute("#undo", "title"), /^Undo: answer /);
   });
   console.log("first: all steps ok");
 } finally {

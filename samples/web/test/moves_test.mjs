@@ -112,7 +112,7 @@ try {
     await page.click("#play");
     await page.waitForTimeout(300);
     const before = Number(await page.inputValue("#time"));
-    await method("Copied");
+    await method("Copy");
     assert.equal(await page.locator("#play").innerText(), "Pause", "it plays on");
     assert.ok(Number(await page.inputValue("#time")) !== before);
     await to(0.42);
@@ -121,7 +121,7 @@ try {
     await shoot("copied");
     command("animate", figure, "--motion", at("squat.bvh"), "--method", "copy", "-o", at("copied.glb"));
     assert.ok((await downloaded("#download")).bytes.equals(readFileSync(at("copied.glb"))), "the page's GLB differs from the command's");
-    const spots = () => page.evaluate(() => sinewPage.view.shownSpots());
+    const spots = () => page.evaluate(() => sinewPage.view.shown("spots"));
     assert.ok((await spots()).length >= 2, "both feet stand");
     await page.focus("#joints");
     for (const next of ["2", "3", "0"]) {
@@ -165,7 +165,7 @@ try {
     }
     const wanted = ["play", "time", "retarget", "show-spots", "speed", "close-motion"];
     assert.deepEqual(wanted.filter((id) => !reached.has(id)), [], "the tabulator reaches all of them");
-    assert.ok([...reached].some((text) => text.startsWith("Map ")), "and the map");
+    assert.ok([...reached].some((text) => text.startsWith("Bone map ")), "and the map");
     await page.setViewportSize({ width: 390, height: 844 });
     await page.waitForTimeout(200);
     await page.evaluate(() => document.getElementById("map").scrollIntoView());
@@ -187,10 +187,10 @@ try {
     assert.equal(await errorLine(), "");
     const head = (await joints()).findIndex(({ name }) => name === "Head");
     const onScreen = () => page.evaluate((j) => sinewPage.view.jointOnScreen(j), head);
-    const [first, place] = [await onScreen(), (await page.evaluate(() => sinewPage.view.shownJoints()))[3 * head + 2]];
+    const [first, place] = [await onScreen(), (await page.evaluate(() => sinewPage.view.shown("joints")))[3 * head + 2]];
     await to(1);
     const last = await onScreen();
-    assert.ok((await page.evaluate(() => sinewPage.view.shownJoints()))[3 * head + 2] > place + 5, "it has gone");
+    assert.ok((await page.evaluate(() => sinewPage.view.shown("joints")))[3 * head + 2] > place + 5, "it has gone");
     assert.ok(Math.hypot(last.x - first.x, last.y - first.y) < 3, `and is where it was in the picture: ${JSON.stringify([first, last])}`);
     await page.click("#close-motion");
     await settled();

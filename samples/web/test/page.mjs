@@ -60,8 +60,8 @@ export function pageTools(current, { troubles, work, prefix = "" }) {
     undoName: async () => (await current().getAttribute("#undo", "title")).replace(/^Undo: | \(Ctrl\+Z\)$/g, ""),
     remarks: async () => ((await on("#remarks").isVisible()) ? on("#remarks").innerText() : ""),
     legend: () => on("#legend figcaption").innerText(),
-    colours: () => current().evaluate(() => sinewPage.view.shownColours()),
-    positions: () => current().evaluate(() => sinewPage.view.shownPositions()),
+    colours: () => current().evaluate(() => sinewPage.view.shown("colours")),
+    positions: () => current().evaluate(() => sinewPage.view.shown("positions")),
     joints: () => current().evaluate(() => sinewPage.character.joints),
     // As the user goes from one step to another.
     async go(step) {

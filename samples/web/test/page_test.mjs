@@ -70,6 +70,7 @@ let page;
 
 async function openPage(query, size) {
   page = await newPage(browser, troubles);
+  await page.emulateMedia({ reducedMotion: "reduce" }); // bare meshes stand: first_test.mjs lets them walk
   if (size) await page.setViewportSize(size);
   page.on("request", (request) => asked.push(request.url()));
   await page.goto(server.address + query);
@@ -208,7 +209,7 @@ try {
     let at = null;
     for (let r = 140; r > 20 && !at; r -= 2) {
       await page.mouse.move(x + r, y);
-      if (await page.evaluate(() => sinewPage.view.ringUnderPointer())) at = x + r;
+      if (await page.evaluate(() => sinewPage.view.onRing)) at = x + r;
     }
     assert.ok(at !== null, "no ring under the mouse");
     await page.mouse.down();
@@ -284,7 +285,7 @@ try {
     assert.equal(await legend(), `Orange: ${partName(part)}, ${part.vertices} vertices (${part.parts} similar parts)`);
     const orange = await page.evaluate(() => {
       const { vertexOf } = sinewPage.character.buffers;
-      const all = sinewPage.view.shownColours();
+      const all = sinewPage.view.shown("colours");
       const linear = (c) => ((c / 255 + 0.055) / 1.055) ** 2.4;
       const isOrange = (i) => [240, 120].every((c, axis) => Math.abs(all[3 * i + axis] - linear(c)) < 1e-6);
       return new Set([...vertexOf].filter((_, i) => isOrange(i))).size;
@@ -294,7 +295,7 @@ try {
     await question(part.part).click();
     const offered = part.alternatives.map(({ answer }) => answer);
     const shares = part.alternatives.map(({ change }) => `${Math.round(50 * change)} %`);
-    assert.deepEqual(await page.locator("#questions .alternative").allTextContents(), [...offered.map((a, i) => answerText(a) + shares[i]), "as it is"]);
+    assert.deepEqual(await page.locator("#questions .alternative").allTextContents(), [...offered.map((a, i) => answerText(a) + shares[i]), "keep as it is"]);
     await alternative(offered[1]).hover();
     await settled();
     assert.equal(await legend(), `Preview: ${partName(part)}: ${answerText(offered[1])} (${part.parts} similar parts)`);
@@ -475,7 +476,7 @@ try {
     await page.mouse.move(from.x, from.y);
     await page.mouse.down();
     await page.mouse.move(from.x + 14, from.y + 11, { steps: 3 });
-    await page.waitForFunction((old) => sinewPage.view.shownColours().some((c, i) => c !== old[i]), coloured, { timeout: 20000 }); // before it is let go
+    await page.waitForFunction((old) => sinewPage.view.shown("colours").some((c, i) => c !== old[i]), coloured, { timeout: 20000 }); // before it is let go
     await page.mouse.move(from.x + 28, from.y + 22, { steps: 12 });
     const shown = await onScreen(at);
     assert.ok(Math.hypot(shown.x - from.x - 28, shown.y - from.y - 22) < 1.5, "the joint is not under the pointer");
@@ -492,7 +493,7 @@ try {
     });
     const image = moved[at].position.map((x, i) => (i === axis ? Math.fround(2 * plane - x) : x));
     assert.deepEqual(moved[other].position, image);
-    assert.deepEqual(await page.evaluate(() => sinewPage.view.shownJoints()), moved.flatMap(({ position }) => position), "the picture has other places");
+    assert.deepEqual(await page.evaluate(() => sinewPage.view.shown("joints")), moved.flatMap(({ position }) => position), "the picture has other places");
     assert.notEqual(await hash(), plainHash);
     await isTheCommands(rigged(mesh, "--move", `${name}=${moved[at].position}`));
 

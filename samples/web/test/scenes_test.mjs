@@ -71,7 +71,7 @@ try {
 
   await step("metres, Y up: 1.83 of them stay 1.83", async () => {
     await same("metres.fbx", strangeFbx({ unit: 100, up: "y", size: 1.83 }));
-    const points = await page.evaluate(() => sinewPage.view.shownPositions());
+    const points = await page.evaluate(() => sinewPage.view.shown("positions"));
     assert.ok(Math.abs(Math.max(...points.filter((_, i) => i % 3 === 1)) - 1.83) < 1e-4);
   });
 

@@ -12,7 +12,7 @@ const command = (name, ...more) => {
   const args = name === "biped__caped" ? [join(data, `${name}.gltf`)] : [join(data, `${name}.obj`), "--skeleton", join(data, `${name}.rig.txt`)];
   return JSON.parse(run("bind", ...args, "-o", "command.glb", "--json", ...more));
 };
-const jointsAt = () => page.evaluate(() => sinewPage.view.shownJoints());
+const jointsAt = () => page.evaluate(() => sinewPage.view.shown("joints"));
 // The picture's pixels in the middle, to see that it changed.
 const picture = async () => (await page.locator("#stage > canvas").screenshot()).toString("base64");
 
@@ -197,7 +197,7 @@ try {
         const all = list.map((p) => p[axis]);
         return [Math.min(...all), Math.max(...all)];
       });
-      const shown = sinewPage.view.shownPositions();
+      const shown = sinewPage.view.shown("positions");
       const engine = Array.from({ length: shown.length / 3 }, (_, i) => shown.slice(3 * i, 3 * i + 3));
       const three = [];
       const { root } = sinewPage.view.look;

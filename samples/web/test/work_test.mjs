@@ -104,7 +104,7 @@ try {
         await go(name);
         await page.waitForTimeout(100);
         const covered = await page.evaluate(() => {
-          const places = sinewPage.view.shownPositions(), points = [];
+          const places = sinewPage.view.shown("positions"), points = [];
           for (let v = 0; v < places.length; v += 3) points.push(sinewPage.view.onScreen(places.slice(v, v + 3)));
           const boxes = ["view-switch", "brush", "offer", "tools", "status"].map((id) => [id, document.getElementById(id).getBoundingClientRect()]).filter(([, box]) => box.width * box.height > 0);
           const stage = document.getElementById("stage").getBoundingClientRect();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pictures of parts of the mesh for the cards that ask about them: the part orange, the rest grey.
-import { Box3, DirectionalLight, MathUtils, NoToneMapping, PerspectiveCamera, SRGBColorSpace, Vector3, WebGLRenderTarget } from "three";
+// Small pictures of the character alone: of a part that a question is about, orange on gray, and of poses of a clip.
+import { Box3, DirectionalLight, HemisphereLight, MathUtils, NoToneMapping, PerspectiveCamera, SRGBColorSpace, Vector3, WebGLRenderTarget } from "three";
 import { slanted } from "./framing.js";
 
 const part = [0.87, 0.19, 0.007]; // linear
@@ -34,38 +34,52 @@ function stripOf(renderer, [width, height], draws) {
   return canvas.toDataURL();
 }
 
-// A camera that has a ball in view, from the usual slanted side.
-/** @param {Vector3} centre @param {number} radius @param {number} aspect */
-function cameraAt(centre, radius, aspect) {
+/** @typedef {{ renderer: import("three").WebGLRenderer, scene: import("three").Scene, model: import("three").Object3D }} Of */
+
+// Nothing but that part of the model is visible while `use` runs, and no light but its own.
+/**
+ * @param {Of} of
+ * @param {import("three").Object3D} shown
+ * @param {() => string | null} use
+ */
+function alone({ scene, model }, shown, use) {
+  const others = [...scene.children.filter((one) => one !== model), ...model.children.filter((one) => one !== shown)].filter(({ visible }) => visible);
+  const wasShown = shown.visible;
+  for (const one of others) one.visible = false;
+  shown.visible = true;
+  try {
+    return use();
+  } finally {
+    for (const one of others) one.visible = true;
+    shown.visible = wasShown;
+  }
+}
+
+// Draws a ball of the scene from the usual slanted side.
+/** @param {Of} of @param {Vector3} centre @param {number} radius @param {number} aspect @param {import("three").Light[]} lights */
+function drawAt({ renderer, scene }, centre, radius, aspect, lights) {
   const camera = new PerspectiveCamera(35, aspect, radius / 200, radius * 200);
   camera.position.copy(centre).addScaledVector(new Vector3().fromArray(slanted).normalize(), radius / Math.sin((camera.fov * MathUtils.DEG2RAD) / 2));
   camera.lookAt(centre);
-  return camera;
+  for (const light of lights) camera.add(light);
+  lights[0].position.set(0.6, 0.9, 0.7);
+  scene.add(camera);
+  renderer.render(scene, camera);
+  camera.removeFromParent();
 }
 
 /**
  * The address of a strip of square pictures of the character in poses.
- * @param {{ renderer: import("three").WebGLRenderer, scene: import("three").Scene, model: import("three").Object3D, shown: import("three").Object3D, box: Box3 }} of
+ * @param {Of & { shown: import("three").Object3D, box: Box3 }} of
  * @param {{ pose: () => void, middle: Vector3 }[]} poses middle: of its joints, that the picture goes along with over the floor
  */
-export function pictureOfPoses({ renderer, scene, model, shown, box }, poses) {
-  const others = [...scene.children.filter((one) => one !== model && !("isLight" in one)), ...model.children.filter((one) => one !== shown)].filter(({ visible }) => visible);
-  const sizes = box.clone().applyMatrix4(model.matrixWorld), centre = sizes.getCenter(new Vector3()), radius = sizes.getSize(new Vector3()).length() / 2;
-  for (const one of others) one.visible = false;
-  try {
-    const draws = poses.map(({ pose, middle }) => () => {
-      pose();
-      const at = middle.clone().applyMatrix4(model.matrixWorld).setY(centre.y);
-      const camera = cameraAt(at, 1.08 * radius, 1);
-      camera.add(new DirectionalLight(0xffffff, 0.9));
-      scene.add(camera);
-      renderer.render(scene, camera);
-      camera.removeFromParent();
-    });
-    return stripOf(renderer, [poseSide, poseSide], draws);
-  } finally {
-    for (const one of others) one.visible = true;
-  }
+export function pictureOfPoses({ shown, box, ...of }, poses) {
+  const sizes = box.clone().applyMatrix4(of.model.matrixWorld), centre = sizes.getCenter(new Vector3()), radius = sizes.getSize(new Vector3()).length() / 2;
+  const draws = poses.map(({ pose, middle }) => () => {
+    pose();
+    drawAt(of, middle.clone().applyMatrix4(of.model.matrixWorld).setY(centre.y), 1.08 * radius, 1, [new DirectionalLight(0xffffff, 0.9)]);
+  });
+  return alone(of, shown, () => stripOf(of.renderer, [poseSide, poseSide], draws));
 }
 
 /**
@@ -96,33 +110,24 @@ function whilePainted(geometry, members, vertexOf, use) {
 
 /**
  * The address of a PNG of a part at rest; null where there is none.
- * @param {{ renderer: import("three").WebGLRenderer, scene: import("three").Scene, model: import("three").Object3D, mesh: import("three").Mesh, radius: number,
- *   hidden: (import("three").Object3D | null | undefined)[] }} of hidden: what is not in it
+ * @param {Of & { mesh: import("three").Mesh, radius: number }} of
  * @param {{ of: ArrayLike<number>, number: number } | undefined} members
  * @param {ArrayLike<number>} vertexOf
  * @param {[number, number]} size pixels
  */
-export function pictureOfPart({ renderer, scene, model, mesh, radius, hidden }, members, vertexOf, [width, height] = [144, 108]) {
+export function pictureOfPart({ mesh, radius, ...of }, members, vertexOf, [width, height] = [144, 108]) {
   if (!members) return null;
-  const wasShown = mesh.visible;
-  const others = hidden.filter((one) => one?.visible);
-  const { toneMapping } = renderer;
-  const { environment } = scene;
+  const { renderer, scene } = of, { toneMapping } = renderer, { environment } = scene;
   const draw = (/** @type {Box3} */ box) => {
-    box.applyMatrix4(model.matrixWorld);
-    const camera = cameraAt(box.getCenter(new Vector3()), 1.6 * Math.max(box.getSize(new Vector3()).length() / 2, leastShare * radius), width / height);
-    camera.add(new DirectionalLight(0xffffff, 1.7));
-    return stripOf(renderer, [width, height], [() => renderer.render(scene, camera)]);
+    box.applyMatrix4(of.model.matrixWorld);
+    const far = 1.6 * Math.max(box.getSize(new Vector3()).length() / 2, leastShare * radius);
+    return stripOf(renderer, [width, height], [() => drawAt(of, box.getCenter(new Vector3()), far, width / height, [new DirectionalLight(0xffffff, 1.7), new HemisphereLight(0xffffff, 0x8b93a3, 1.9)])]);
   };
-  for (const one of others) if (one) one.visible = false;
-  mesh.visible = true;
   renderer.toneMapping = NoToneMapping;
   scene.environment = null;
   try {
-    return whilePainted(mesh.geometry, members, vertexOf, draw);
+    return alone(of, mesh, () => whilePainted(mesh.geometry, members, vertexOf, draw));
   } finally {
-    for (const one of others) if (one) one.visible = true;
-    mesh.visible = wasShown;
     renderer.toneMapping = toneMapping;
     scene.environment = environment;
   }
