@@ -140,7 +140,7 @@ Tool springs_tool() {
                   {"drop", "--drop", Value::kTexts, "Chains to leave out"},
                   {"presets", "--preset", Value::kTexts, "NAME=KIND: " + spring_kinds_text()},
                   {"values", "--value", Value::kTexts, "NAME:FIELD=X or NAME:FIELD=xFACTOR: " + spring_fields_text()},
-                  {"replace", "--replace", Value::kFlag, "Find springs anew in place of the file's own"}})};
+                  {"replace", "--replace", Value::kFlag, "Find springs anew instead of the file's own"}})};
 }
 
 Tool check_tool() {
