@@ -43,8 +43,8 @@ class MapReader {
     MapCover cover = read_parts();
     cover.kinds_apart = difference(to_kind_, from_kind_);
     if (cover.kinds_apart > 0)
-      cover.warnings.insert(cover.warnings.begin(), "the motion is that of " + text_of(from_kind_) +
-                                                        ", the character's is " + text_of(to_kind_));
+      cover.warnings.insert(cover.warnings.begin(),
+                            "the motion is that of " + text_of(from_kind_) + ", the character is " + text_of(to_kind_));
     return cover;
   }
 

@@ -79,7 +79,7 @@ TEST(Bind, RefusalsNameTheCharacter) {
   Character character = bar(9);
   BindOptions options;
   options.locked.assign(character.vertices.size(), 1);
-  EXPECT_ERROR(bind(character, options), "bar: ", "no weights of its own");
+  EXPECT_ERROR(bind(character, options), "bar: ", "the mesh has no weights");
   options.locked.clear();
   options.influence_count = SINEW_MAX_INFLUENCES + 1;
   EXPECT_ERROR(bind(character, options), "bar: ", sinew_status_text(SINEW_ERROR_ARGUMENT));

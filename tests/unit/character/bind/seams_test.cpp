@@ -140,7 +140,7 @@ TEST(Seams, AreToldByNameOnceEach) {
   Seams seams;
   seams.seams = {{{kLeftLeg, kRightLeg}, {}, 2}, {{kLeftLeg, kRightLeg}, {}, 1}};
   EXPECT_EQ(seams_text(body.joints, seams, 0),
-            "grown together: LeftLeg and RightLeg; no weight crosses there, --cut opens it");
+            "fused parts at LeftLeg and RightLeg; no weight crosses there, --cut opens the mesh there");
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ TEST(PrepareJoints, ASkeletonOfAnotherSizeIsAWarningOrMended) {
   (void)prepare_joints(JointsFrom::kAll, false, &warned);
   EXPECT_EQ(warned.joints[2].position.x, 200) << "left as it is";
   EXPECT_TRUE(has_note(warned, "warning: "));
-  EXPECT_TRUE(has_note(warned, "--fit mends that"));
+  EXPECT_TRUE(has_note(warned, "correct it with --fit"));
   (void)prepare_joints(JointsFrom::kAll, true, &mended);
   EXPECT_NEAR(mended.joints[2].position.x, 2, 0.1f);
   EXPECT_FALSE(has_note(mended, "warning: "));
@@ -193,7 +193,7 @@ TEST(BindByJob, AnAnswerForAJointThatTheUserForbidsIsAnError) {
   options.joint_flags = {0, 0, SINEW_JOINT_NEVER};
   BindJob job(options, {}, &c);
   const Kept before(c);
-  EXPECT_ERROR((void)job.bind({rigid(kBarVertices, 2)}, 0), "rigid:high", "no weight");
+  EXPECT_ERROR((void)job.bind({rigid(kBarVertices, 2)}, 0), "rigid:high", "excludes this joint");
   before.expect(c);
 }
 

@@ -103,8 +103,8 @@ TEST(RigJob, WhatNeedsWeightsIsRefusedWithoutThem) {
   RigJobOptions pose = unbound(), cut = unbound();
   pose.to_pose = "t";
   cut.cut = true;
-  EXPECT_ERROR((void)rig_character(tee(), known_skeleton(), false, pose, {}), "rest pose", "bind the mesh");
-  EXPECT_ERROR((void)rig_character(tee(), known_skeleton(), false, cut, {}), "seams", "bind the mesh");
+  EXPECT_ERROR((void)rig_character(tee(), known_skeleton(), false, pose, {}), "rest pose", "leave out --no-bind");
+  EXPECT_ERROR((void)rig_character(tee(), known_skeleton(), false, cut, {}), "seams", "leave out --no-bind");
 }
 
 TEST(RigJob, EditsAreMadeOnBothSides) {

@@ -77,7 +77,7 @@ TEST(CharacterTransform, ADocumentOfGltfGoesAlong) {
 }
 
 TEST(CharacterTransform, WrongOptionsAreOneLine) {
-  EXPECT_ERROR(transformed(body(), {{"w"}, 0, false}, Axis::kY), "turn 'w'", "expected x, y, z, -x, -y or -z");
+  EXPECT_ERROR(transformed(body(), {{"w"}, 0, false}, Axis::kY), "rotation 'w'", "expected x, y, z, -x, -y or -z");
   EXPECT_ERROR(transformed(body(), {{}, -1, false}, Axis::kY), "height");
   Character flat = body();
   for (Vec3& p : flat.vertices) p.y = 0;

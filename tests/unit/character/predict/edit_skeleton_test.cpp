@@ -199,7 +199,7 @@ TEST(EditSkeleton, ErrorsSayWhatIsWrongAndChangeNothing) {
     expect_at(s, "Head", {0.5f, 2, 0});
     EXPECT_EQ(s.joints.size(), 9u);
   };
-  refused(EditKind::kMove, "LeftHnd=0,0,0", "no joint 'LeftHnd'", "LeftHand");
+  refused(EditKind::kMove, "LeftHnd=0,0,0", "unknown joint 'LeftHnd'", "LeftHand");
   refused(EditKind::kMove, "righthand=0,0,0", "near it: RightHand");
   refused(EditKind::kMove, "LeftHand=0,zero,0", "three numbers", "'zero'");
   refused(EditKind::kMove, "LeftHand=0,0", "three numbers");
@@ -207,10 +207,10 @@ TEST(EditSkeleton, ErrorsSayWhatIsWrongAndChangeNothing) {
   refused(EditKind::kMove, "LeftHand=0,nan,0", "three numbers");
   refused(EditKind::kMove, "LeftHand", "expected --move JOINT=X,Y,Z");
   refused(EditKind::kAdd, "Tail=0,0,0", "expected --add NAME=PARENT:X,Y,Z");
-  refused(EditKind::kAdd, "Tail=Hip:0,0,0", "no joint 'Hip'", "Hips");
+  refused(EditKind::kAdd, "Tail=Hip:0,0,0", "unknown joint 'Hip'", "Hips");
   refused(EditKind::kAdd, "Head=Hips:0,0,0", "already");
   refused(EditKind::kAdd, "Thumb=LeftHand:2,1,0", "both sides");
-  refused(EditKind::kAdd, "a b=Hips:0,0,0", "blank");
+  refused(EditKind::kAdd, "a b=Hips:0,0,0", "contains a space");
   refused(EditKind::kAdd, "Nail=LeftHand_end:0,0,0", "bone end", "'LeftHand'");
   refused(EditKind::kParent, "Spine=LeftHand", "cycle");
   refused(EditKind::kParent, "Spine=Spine", "cycle");

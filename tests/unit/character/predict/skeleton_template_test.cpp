@@ -56,7 +56,7 @@ TEST(SkeletonTemplate, NamesAreThoseOfTheConventions) {
 }
 
 TEST(SkeletonTemplate, AnUnknownOneNamesThoseThereAre) {
-  EXPECT_ERROR(skeleton_template("biped"), "no template biped", "mixamo", "quadruped");
+  EXPECT_ERROR(skeleton_template("biped"), "unknown template biped", "mixamo", "quadruped");
 }
 
 }  // namespace

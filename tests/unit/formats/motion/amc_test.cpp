@@ -96,7 +96,7 @@ TEST(Amc, ReadsBonesThatTurnInTheirOwnAxes) {
   EXPECT_TRUE(motion.joints[4].end);
   ASSERT_EQ(motion.clips[0].frames.size(), 2u);
   EXPECT_DOUBLE_EQ(motion.clips[0].frame_time, 1.0 / 120);
-  EXPECT_NE(motion.notes.at(0).find("guessed"), std::string::npos);
+  EXPECT_NE(motion.notes.at(0).find("assumed"), std::string::npos);
   expect_position(motion, 0, 0, {0, 15, 0});
   expect_position(motion, 0, 2, {2, 15, 0});
   expect_position(motion, 0, 3, {2, 7, 0});

@@ -141,8 +141,8 @@ TEST(Bvh, WhatTheHeaderGetsWrongIsToldAndRead) {
     EXPECT_NE(motion.notes[0].find(wanted), std::string::npos) << motion.notes[0];
     EXPECT_EQ(motion.clips[0].frames.size(), 2u);
   };
-  told("Frames: 2", "Frames: 3", "promises 3 frames, the file has 2");
-  told("Frames: 2", "Frames: 1", "promises 1 frames, the file has 2");
+  told("Frames: 2", "Frames: 3", "announces 3 frames, the file has 2");
+  told("Frames: 2", "Frames: 1", "announces 1 frames, the file has 2");
   told("Frame Time: 0.04", "Frame Time: 0", "'Frame Time:' is 0");
   EXPECT_DOUBLE_EQ(read_bvh(folder.write("a.bvh", with(kSmall, "0.04", "0"))).clips[0].frame_time, 1.0 / 30);
   std::string mixed = with(kSmall, "MOTION\n", "MOTION\r\n");

@@ -153,7 +153,7 @@ TEST(Numpy, AWorldWithZUpIsTurned) {
   const MotionFrame &a = motion.clips[0].frames[2], b = amass().clips[0].frames[2];
   EXPECT_NEAR(std::abs(dot(a.rotations[0], b.rotations[0])), 1, 1e-12);
   for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(a.translations[0][i], b.translations[0][i], 1e-12);
-  EXPECT_TRUE(has_note(motion, "stands along z"));
+  EXPECT_TRUE(has_note(motion, "upright along z"));
 }
 
 // Keypoints of a motion's joints, in the order that a layout has them.
@@ -178,7 +178,7 @@ TEST(Numpy, KeypointsAloneBecomeAMotion) {
   const Motion from = amass();
   const Motion found = read("p.npy", npy_of(shape_of({kFrames, 24, 3}), keypoints_of(from)));
   ASSERT_EQ(found.joints.size(), 24u);
-  EXPECT_TRUE(has_note(found, "the layout smpl24 was guessed"));
+  EXPECT_TRUE(has_note(found, "the layout smpl24 was assumed"));
   expect_same_keypoints(found, from, 1e-5);
   // Bent limbs turn about their hinges: as they did.
   const size_t knee = joint_of(from, "rightUpperLeg"), elbow = joint_of(from, "leftLowerArm");
@@ -261,7 +261,7 @@ TEST(Numpy, KeypointsMayStandAlongAnyAxisAndBeMirrored) {
                                                                            })),
                            "smpl24");
   expect_same_keypoints(z_up, from, 1e-5);
-  EXPECT_TRUE(has_note(z_up, "stands along z"));
+  EXPECT_TRUE(has_note(z_up, "upright along z"));
   EXPECT_FALSE(has_note(z_up, "assumed; choose another with --layout")) << "it was said";
   const Motion down = read("d.npy", npy_of(shape_of({kFrames, 24, 3}), keypoints_of(from, [](const Point3& p) {
                                              return Point3{p[0], -p[1], -p[2]};
@@ -325,8 +325,8 @@ TEST(Numpy, LayoutsOfOneCountAreToldApartByTheBody) {
       for (const double x : {p[0], -p[2], p[1]}) h36m.push_back(static_cast<float>(1000 * x));
   }
   const Motion found = read("h.npy", npy_of(shape_of({kFrames, 17, 3}), h36m));
-  EXPECT_TRUE(has_note(found, "the layout h36m17 was guessed"));
-  EXPECT_TRUE(has_note(found, "stands along z"));
+  EXPECT_TRUE(has_note(found, "the layout h36m17 was assumed"));
+  EXPECT_TRUE(has_note(found, "upright along z"));
   for (size_t f = 0; f < kFrames; ++f) {
     const WorldPose a = world_pose(found, found.clips[0].frames[f]), b = world_pose(from, from.clips[0].frames[f]);
     for (const char* joint : {"leftHand", "rightFoot", "leftLowerLeg", "rightLowerArm", "spine"})

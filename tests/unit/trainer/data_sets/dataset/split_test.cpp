@@ -54,7 +54,7 @@ TEST(CharacterFiles, BelongTogetherAndAreNeverReplaced) {
 
   place_character(data + "snake__long.obj", folder.file("out"));
   EXPECT_EQ(read_file(folder.file("out/snake__long.rig.txt")), read_file(data + "snake__long.rig.txt"));
-  EXPECT_ERROR(place_character(data + "snake__long.obj", folder.file("out")), "there already");
+  EXPECT_ERROR(place_character(data + "snake__long.obj", folder.file("out")), "never replaced");
 }
 
 }  // namespace
