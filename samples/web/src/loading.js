@@ -15,13 +15,13 @@ import { longestSide } from "./sides.js";
 import { closeOffer, offer } from "./offer.js";
 import { filesOf, readProject } from "./project.js";
 import { record, showHistory } from "./recording.js";
-import { reportClips } from "./report.js";
+import { leftOut, reportClips } from "./report.js";
 import { beginBound, reveal, showFound } from "./reveal.js";
 import { showSteps } from "./rail.js";
 import { sampleFiles } from "./samples.js";
 import { sendPose } from "./showing.js";
 import { $, at, engine } from "./state.js";
-import { firstStep, setStep } from "./steps.js";
+import { firstStep, goTo, setStep } from "./steps.js";
 import { unzip } from "./zip.js";
 
 async function unpacked(list) {
@@ -227,7 +227,9 @@ export async function load(source, state = null, rows = null) {
   showHistory();
   at.lastDone = source;
   await sendPose();
-  if (!wanted && at.character.predicted && !loaded.picture) await showFound();
+  if (wanted || loaded.picture) return;
+  if (at.character.predicted) await showFound();
+  else if (leftOut() > 0) offer(`${name} is open. ${leftOut()} part${leftOut() === 1 ? "" : "s"} of the file ${leftOut() === 1 ? "was" : "were"} left out.`, { "See what": () => goTo("mesh"), "Go on": () => {} });
 }
 
 // What was asked for the character before says nothing of this one.

@@ -32,6 +32,9 @@ export function report(line) {
   showReport();
 }
 
+// How many things of the file are not here.
+export const leftOut = () => lines.filter(({ kind }) => kind === "left").length;
+
 /** @param {number} clips */
 export const reportClips = (clips) => clips > 0 && report(count(clips, "clip"));
 

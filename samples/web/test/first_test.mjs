@@ -153,11 +153,13 @@ try {
   });
 
   await step("what a file held is told when it is opened", async () => {
-    const gltf = JSON.parse(readFileSync(join(data, "biped__caped.gltf")));
-    gltf.images = [{ uri: "skin.png" }];
-    gltf.textures = [{ source: 0 }];
-    gltf.materials = [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }];
-    await give(made("caped.gltf", JSON.stringify(gltf)));
+    await give(made("lost.obj", `mtllib lost.mtl\nusemtl skin\n${readFileSync(join(data, "biped__robot.obj"))}`), made("lost.rig.txt", readFileSync(join(data, "biped__robot.rig.txt"))));
+    assert.deepEqual(await bar(), ["lost is open. 1 part of the file was left out.", ["See what", "Go on"]]);
+    await page.click("#offer button:has-text('See what')");
+    await settled();
+    assert.match(await page.locator("#report-lines").innerText(), /Left out\nMaterials 'lost\.mtl' were not found/);
+    await give(file("biped__caped.gltf"));
+    assert.equal(await page.isVisible("#offer"), false);
     await go("mesh");
     const lines = await page.locator("#report-lines").innerText();
     assert.match(lines, /^Found\n[\d,]+ vertices and [\d,]+ faces\.\nA skeleton of \d+ bones with skin weights/);

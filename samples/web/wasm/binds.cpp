@@ -209,7 +209,7 @@ Json style_answers(Session& s, const Wish& wish) {
 
 // The loaded style with these answers.
 void save_style(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers, const std::string& path) {
-  write_style(path, job_for(s, wish).learnt(s.style, answers, path));
+  write_style(path, job_for(s, wish).learned(s.style, answers, path));
   strike(s);
 }
 
