@@ -169,9 +169,9 @@ TEST_F(CrossvalRun, GoesOnAfterAStopWithTheSameFigures) {
   EXPECT_EQ(fs::last_write_time(folder_.file("parts/seed1.fold1.ckpt")), checkpoint);
   TrainConfig other = config_;
   other.learning_rate = 0.5;
-  EXPECT_ERROR(crossval(other, o), "config.learning_rate is different");
+  EXPECT_ERROR(crossval(other, o), "config.learning_rate has changed");
   o.fold_count = 2;
-  EXPECT_ERROR(crossval(config_, o), "folds is different");
+  EXPECT_ERROR(crossval(config_, o), "folds has changed");
 }
 
 TEST_F(CrossvalRun, AStopLeavesUnmeasuredFoldsOut) {

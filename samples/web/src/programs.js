@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The programs that files are made for: rows of character/src/profile/profiles.cpp as their users know them. To add one: a row here.
+import { fileKind } from "../../npm/src/file_kinds.js";
 import { all } from "./elements.js";
 
 /** @typedef {{ id: string, name: string, profile: string, kind: string, bones: string, pose: string, influences: number }} Program */
@@ -18,12 +19,11 @@ export const chosenProgram = () => programs.find(({ id }) => id === all("#progra
 
 /** @type {(kind: string) => string} */
 export const unitOf = (kind) => (kind === "fbx" ? "Centimeters" : "Meters");
-const kinds = /** @type {Record<string, string>} */ ({ glb: "GLB (binary glTF)", fbx: "FBX 7.5", vrm: "VRM 1.0" });
 
 // What a file for it is like: [what, how].
 // isPosed: the user has chosen a T pose; clips: names of those that go along.
 /** @param {Program} program @param {boolean} isPosed @param {string[]} clips @returns {string[][]} */
-export const factsOf = ({ kind, bones, pose, influences }, isPosed, clips) => [["File", kinds[kind]], ["Unit", unitOf(kind)], ["Bone names", bones], ["Rest pose", isPosed && !pose.startsWith("T") ? "T pose, as set in Skeleton" : pose], ["Bones per vertex", influences ? `At most ${influences}` : "As set in Weights"], ["Clips", clips.length > 3 ? `${clips.slice(0, 3).join(", ")} and ${clips.length - 3} more` : clips.join(", ") || "None"]];
+export const factsOf = ({ kind, bones, pose, influences }, isPosed, clips) => [["File", fileKind(`.${kind}`).name], ["Unit", unitOf(kind)], ["Bone names", bones], ["Rest pose", isPosed && !pose.startsWith("T") ? "T pose, as set in Skeleton" : pose], ["Bones per vertex", influences ? `At most ${influences}` : "As set in Weights"], ["Clips", clips.length > 3 ? `${clips.slice(0, 3).join(", ")} and ${clips.length - 3} more` : clips.join(", ") || "None"]];
 
 // What a file cannot hold of the character, by what is known before it is written.
 /** @param {Program} program @param {{ springs: boolean, baked: boolean, clips: number, withClips: boolean, skinning: number, turned: boolean }} character */

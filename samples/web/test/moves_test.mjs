@@ -279,7 +279,7 @@ try {
       assert.equal(await errorLine(), "");
       command("rig", at("bare.obj"), "--detail", detail, "-o", at("detail.glb"));
       assert.ok((await downloaded("#download")).bytes.equals(readFileSync(at("detail.glb"))), `${detail}: the page's GLB differs from the command's`);
-      assert.match(await page.locator("#edit-notes").innerText(), /^No hand with fingers that can be told apart\./);
+      assert.match(await page.locator("#edit-notes").innerText(), /^No hand with separate fingers\./);
     }
     const full = (await joints()).map(({ name }) => name);
     assert.deepEqual(["LeftEye", "RightEye", "Jaw", "LeftHandProp"].filter((name) => !full.includes(name)), []);

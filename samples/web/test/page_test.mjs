@@ -591,12 +591,12 @@ try {
     await page.fill("#rename", "Hips");
     await page.keyboard.press("Enter");
     await settled();
-    assert.match(await errorLine(), /already; choose another name$/);
+    assert.match(await errorLine(), /; choose another name$/);
     assert.equal(await page.inputValue("#rename"), "LeftThumb");
     await page.fill("#rename", "Left Thumb");
     await page.keyboard.press("Enter");
     await settled();
-    assert.match(await errorLine(), /has a blank in it/);
+    assert.match(await errorLine(), /contains a space/);
     const offered = await page.locator("#parent option").allTextContents();
     assert.ok(offered.includes("Hips") && !offered.includes("LeftThumb") && !offered.some((name) => name.endsWith("_end")));
     assert.equal(await hash(), before);
@@ -736,7 +736,7 @@ try {
       [[made("a.obj", "v 0 0 0\nv 1 0 0\n"), made("a.rig.txt", rig)], /^a\.obj: has no faces to show/],
       [[made("a.obj", obj), made("a.rig.txt", "\0\0")], /^a\.rig\.txt: expected a rig text file, found binary data/],
       [[made("mine.sinew", "not a model")], /^mine\.sinew: /],
-      [[made("mine.style", "{}")], /^mine\.style: not a style file /],
+      [[made("mine.style", "{}")], /^mine\.style: expected a style file /],
     ]) {
       await give(...files);
       const line = await errorLine();

@@ -216,7 +216,7 @@ try {
     await give(file("snake__long.obj"));
     await page.click("#t-pose");
     await settled();
-    assert.match(await errorLine(), /stance is not known/);
+    assert.match(await errorLine(), /rest pose is unknown/);
     assert.equal(await page.getAttribute("#t-pose", "aria-pressed"), "false");
     assert.notEqual(await hash(), "");
     await key("Escape");
