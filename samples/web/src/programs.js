@@ -23,7 +23,7 @@ export const unitOf = (kind) => (kind === "fbx" ? "Centimeters" : "Meters");
 // What a file for it is like: [what, how].
 // isPosed: the user has chosen a T pose; clips: names of those that go along.
 /** @param {Program} program @param {boolean} isPosed @param {string[]} clips @returns {string[][]} */
-export const factsOf = ({ kind, bones, pose, influences }, isPosed, clips) => [["File", fileKind(`.${kind}`).name], ["Unit", unitOf(kind)], ["Bone names", bones], ["Rest pose", isPosed && !pose.startsWith("T") ? "T pose, as set in Skeleton" : pose], ["Bones per vertex", influences ? `At most ${influences}` : "As set in Weights"], ["Clips", clips.length > 3 ? `${clips.slice(0, 3).join(", ")} and ${clips.length - 3} more` : clips.join(", ") || "None"]];
+export const factsOf = ({ kind, bones, pose, influences }, isPosed, clips) => [["File", fileKind(`.${kind}`)?.name ?? kind], ["Unit", unitOf(kind)], ["Bone names", bones], ["Rest pose", isPosed && !pose.startsWith("T") ? "T pose, as set in Skeleton" : pose], ["Bones per vertex", influences ? `At most ${influences}` : "As set in Weights"], ["Clips", clips.length > 3 ? `${clips.slice(0, 3).join(", ")} and ${clips.length - 3} more` : clips.join(", ") || "None"]];
 
 // What a file cannot hold of the character, by what is known before it is written.
 /** @param {Program} program @param {{ springs: boolean, baked: boolean, clips: number, withClips: boolean, skinning: number, turned: boolean }} character */
