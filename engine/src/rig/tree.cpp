@@ -88,6 +88,23 @@ uint16_t mean_spread(const Votes& votes) {
   return static_cast<uint16_t>(spread > 65535 ? 65535 : spread);
 }
 
+// Legs stand on a pelvis: where no joint was voted for as one, the spine joint that carries both legs is it.
+void find_pelvis(FoldedTree* tree) {
+  uint8_t legs[kMaxFoldedJoints] = {};
+  for (uint32_t i = 0; i < tree->count; ++i) {
+    const FoldedNode& node = tree->nodes[i];
+    if (node.joint_class == kClassPelvis) return;
+    const bool leg = node.joint_class == kClassThigh || node.joint_class == kClassHip;
+    if (leg && node.parent >= 0)
+      legs[node.parent] = static_cast<uint8_t>(legs[node.parent] + (tree->beside(i) && node.only == 0 ? 2 : 1));
+  }
+  for (uint32_t i = 0; i < tree->count; ++i) {
+    if (legs[i] < 2 || tree->nodes[i].joint_class != kClassSpine) continue;
+    tree->nodes[i].joint_class = kClassPelvis;
+    return;
+  }
+}
+
 }  // namespace
 
 bool Rig::allocate(Arena& arena) {
@@ -118,6 +135,7 @@ SINEW_RARE sinew_status find_rig(const Votes& votes, const RigOptions& options, 
 }
 
 SINEW_RARE void unfold_tree(const RigOptions& options, FoldedTree* tree, Rig* rig) {
+  find_pelvis(tree);
   if (options.spine >= 0)
     set_spine(tree,
               static_cast<uint32_t>(options.spine) < kMaxSpine ? static_cast<uint32_t>(options.spine) : kMaxSpine);

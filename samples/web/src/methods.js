@@ -41,10 +41,13 @@ export class MethodPanel {
   /** @type {(...of: any[]) => any} */
   onMethod = () => {}; // MotionMethod
   /** @type {(...of: any[]) => any} */
+  onInPlace = () => {}; // boolean
+  /** @type {(...of: any[]) => any} */
   onSpots = () => {};
 
   constructor() {
     $("motion-method").onchange = ({ target }) => this.onMethod(Number(target.value));
+    $("in-place").onchange = () => this.onInPlace($("in-place").checked);
     $("show-spots").onchange = () => this.onSpots();
   }
 
@@ -65,6 +68,8 @@ export class MethodPanel {
     $("methods").hidden = !motion;
     if (!motion) return;
     $("motion-method").hidden = motion.own; // its file's own frames are as they are
+    $("in-place-choice").hidden = motion.own;
+    $("in-place").checked = motion.inPlace;
     for (const input of all("#motion-method input")) input.checked = Number(input.value) === motion.method;
     const { notes } = motion.files[motion.clips[clip].file];
     $("motion-report").textContent = [clipText(motion.clips[clip]), ...notes].filter(Boolean).map(sentenceOf).join(" ");

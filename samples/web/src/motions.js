@@ -26,16 +26,16 @@ export class Motions {
   }
 
   // Files that the module has, or builtin:NAME: their clips are the character's from now on.
-  async open(files, { method = motionMethods.contacts, pins = {} } = {}) {
+  async open(files, { method = motionMethods.contacts, pins = {}, inPlace = false } = {}) {
     const character = this.#current();
     if (!character?.result) throw new Error(`${files[0]} is a motion: open a character first`);
     const { source, joints, up, picture } = character;
     const own = files.length === 1 && files[0] === source.mesh;
     const known = files.map((file) => new Map(joints.flatMap((joint, j) => (joint.name in (pins[file] ?? {}) ? [[j, pins[file][joint.name]]] : []))));
-    const wish = { up, own, picture: Boolean(picture), method, pins: known.map((one) => [...one]) };
+    const wish = { up, own, picture: Boolean(picture), method, inPlace, pins: known.map((one) => [...one]) };
     const motion = await whileBusy("Retargeting the motion", () => this.#engine.call("motion", { names: files, wish }));
-    source.motion = { files, method, pins };
-    this.#show({ own, method, pins: known, ...motion });
+    source.motion = { files, method, pins, inPlace };
+    this.#show({ own, method, inPlace, pins: known, ...motion });
     await at.springs.again();
   }
 
@@ -45,7 +45,7 @@ export class Motions {
     const before = this.player.motion?.own ? null : source?.motion;
     const more = files.filter((file) => !before?.files.includes(file));
     const again = files.filter((file) => !more.includes(file)); // dropped once more: read anew
-    await this.open([...(before?.files ?? []), ...more], { method: before?.method, pins: before?.pins });
+    await this.open([...(before?.files ?? []), ...more], { method: before?.method, pins: before?.pins, inPlace: before?.inPlace });
     const first = this.player.motion.files.findIndex(({ file }) => file === (more[0] ?? again[0]));
     this.player.choose(this.player.motion.clips.findIndex(({ file }) => file === first));
   }
@@ -85,6 +85,16 @@ export class Motions {
       source.motion = { ...source.motion, method };
     } finally {
       this.#show(motion);
+    }
+  }
+
+  // The same motions with their travel, or without.
+  async stayInPlace(inPlace) {
+    const { source } = this.#current();
+    try {
+      await this.open(source.motion.files, { ...source.motion, inPlace });
+    } finally {
+      this.#show(this.player.motion);
     }
   }
 

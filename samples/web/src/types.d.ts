@@ -61,6 +61,7 @@ export interface Motion {
   files: string[];
   method: number;
   pins: Record<string, Record<string, number>>;
+  inPlace?: boolean;
 }
 
 /** Of what swings: which chains, by name, and how much of what was found for them. */

@@ -61,10 +61,10 @@ try {
     writeFileSync(join(work, "robot.obj"), mesh);
     const { notes, hash: expected } = command("bind", "robot.obj", "--skeleton", "robot.rig.txt");
     const told = notes.find((note) => note.startsWith("warning: the skeleton"));
-    assert.match(told, /--fit mends that$/);
+    assert.match(told, /correct it with --fit$/);
     await give(made("robot.obj", mesh), made("robot.rig.txt", rig));
     assert.equal(await hash(), expected);
-    assert.ok((await remarks()).includes(told.replace(/^warning: t|; --fit.*/g, "")), await remarks());
+    assert.ok((await remarks()).includes(told.replace(/^warning: t|; correct it.*/g, "")), await remarks());
   });
 
   await step("parts that have grown together are told", async () => {

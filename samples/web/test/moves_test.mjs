@@ -131,6 +131,14 @@ try {
     }
     const mended = await positions();
     assert.notDeepEqual(mended, copied);
+    await page.check("#in-place");
+    await settled();
+    command("animate", figure, "--motion", at("squat.bvh"), "--in-place", "-o", at("stays.glb"));
+    assert.ok((await downloaded("#download")).bytes.equals(readFileSync(at("stays.glb"))), "the page's GLB in place differs from the command's");
+    await page.click("#undo");
+    await settled();
+    assert.equal(await page.isChecked("#in-place"), false);
+    assert.deepEqual(await positions(), mended);
     const text = await page.locator("#motion-report").innerText();
     assert.match(text, /Arms inside the body \d+ % of frames.*standing feet slide [\d.]+ % of the height per frame/);
     console.log(`  ${copiedText}\n  ${text}`);

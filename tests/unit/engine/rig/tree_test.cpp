@@ -203,6 +203,25 @@ TEST(Rig, NothingIsAPelvisAtTheMean) {
   EXPECT_EQ(none.spread, 65535);
 }
 
+TEST(Rig, TheSpineThatLegsStandOnIsThePelvis) {
+  std::vector<KnownJoint> known = known_humanoid();
+  double height = 0;
+  for (KnownJoint& joint : known) {
+    if (joint.joint_class != kClassPelvis) continue;
+    joint.joint_class = kClassSpine;
+    height = joint.y;
+  }
+  const FoundRig found(votes_for(known, 60, 0.004, 3));
+  expect_sound(found, true, "without votes for a pelvis");
+  size_t count = 0;
+  for (const RigJoint& joint : found.joints) {
+    if (joint.joint_class != kClassPelvis || joint.tip != 0) continue;
+    ++count;
+    EXPECT_LT(distance(joint.position, grid_point(0, height, 0)), 0.05);
+  }
+  EXPECT_EQ(count, 1u);
+}
+
 TEST(Rig, OneVoteAndAllVotesInOnePlace) {
   VoteScene scene;
   scene.add(grid_point(0.2, 0.3, 0), kClassHand, grid_point(0.3, 0.3, 0), kClassTip, 0.02, 1);
