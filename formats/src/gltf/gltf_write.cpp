@@ -120,7 +120,8 @@ GltfSource skinned_document(const std::string& path, const Character& character,
                   " vertices, found " + std::to_string(character.influences.size()));
     joints = write_gltf_skin(path, character, options.unorm8, &source);
     replaced = has_document && !source.joint_nodes.empty() &&
-               !std::equal(source.joint_nodes.begin(), source.joint_nodes.end(), joints.nodes.begin());
+               (joints.nodes.size() < source.joint_nodes.size() ||
+                !std::equal(source.joint_nodes.begin(), source.joint_nodes.end(), joints.nodes.begin()));
     if (replaced) {
       if (options.springs == nullptr) own_springs = springs_left(path, character);
       drop_old_skeleton(&joints, &source);
