@@ -93,8 +93,8 @@ struct sinew_character {
   std::vector<sinew::Clip> clips;                           // added ones, of the character's joints
   std::shared_ptr<const sinew::KeypointsStream> keypoints;  // that it is of; null: of a file or of arrays
   sinew::Morphs morphs;
-  std::optional<sinew::Springs> springs;               // in place of the file's own
-  std::unique_ptr<sinew::SpringPlayer> spring_player;  // of frames that arrive one by one, once the first one did
+  std::optional<sinew::Springs> springs;               // replace those of the file
+  std::unique_ptr<sinew::SpringPlayer> spring_player;  // for frames that arrive one by one; made at the first one
   sinew::CharacterViews views;
   sinew::OutlineViews outline;
   bool viewed = false;

@@ -27,10 +27,13 @@ void find(const sinew_character_springs_options& options, sinew_character* chara
   job.drop = texts_of("drop", options.drop, options.drop_count);
   job.presets = texts_of("presets", options.presets, options.preset_count);
   job.values = texts_of("values", options.values, options.value_count);
-  Character made = character->character;
-  if (options.make != 0) check_nothing_added(*character);
-  const bool has_more_joints = options.make != 0 && make_spring_chains(&job, &made);
-  SpringsFound found = springs_of(job, file_of(*character), made);
+  std::optional<Character> made;  // with chains in garments that had none
+  if (options.make != 0) {
+    check_nothing_added(*character);
+    made = character->character;
+    if (!make_spring_chains(&job, &*made)) made.reset();
+  }
+  SpringsFound found = springs_of(job, file_of(*character), made ? *made : character->character);
   ResultViews& views = character->results;
   views = {};
   sinew_character_springs_result filled = SINEW_INIT(sinew_character_springs_result);
@@ -49,8 +52,8 @@ void find(const sinew_character_springs_options& options, sinew_character* chara
   filled.certainties = views.confidence.data();
   filled.names = views.joint_names.c_str();
   filled.kinds = views.kinds.c_str();
-  if (has_more_joints) {
-    character->character = std::move(made);
+  if (made) {
+    character->character = std::move(*made);
     changed(character);
   }
   for (const std::string& note : found.notes) character->character.notes.push_back(note);

@@ -34,6 +34,8 @@ bool is_body(uint8_t c) {
   return is_trunk(c) || (c >= SINEW_CLASS_CLAVICLE && c <= SINEW_CLASS_TOE) || c == SINEW_CLASS_WING ||
          (c >= SINEW_CLASS_THUMB && c <= SINEW_CLASS_PROP);
 }
+// A wing that no map needs and a thing that is held may go with a chain.
+bool is_firm_body(uint8_t c) { return is_body(c) && c != SINEW_CLASS_WING && c != SINEW_CLASS_PROP; }
 
 class SpringFinder {
  public:
@@ -90,8 +92,7 @@ class SpringFinder {
       if (!bones[j].empty()) carries[j] = 1;
       if (carries[j] != 0 && c_.joints[j].parent >= 0) carries[joint_index(c_.joints[j].parent)] = 1;
       uint8_t& joint_class = verdicts_.classes[j];
-      if (carries[j] == 0 && is_body(joint_class) && joint_class != SINEW_CLASS_WING && joint_class != SINEW_CLASS_PROP)
-        joint_class = SINEW_CLASS_OTHER;
+      if (carries[j] == 0 && is_firm_body(joint_class)) joint_class = SINEW_CLASS_OTHER;
     }
   }
 
@@ -130,7 +131,7 @@ class SpringFinder {
     for (const int child : children(j)) {
       const size_t k = joint_index(child);
       const uint8_t c = verdicts_.classes[k];  // fins of a tail and things that it holds go with it
-      const bool body = is_body(c) && c != SINEW_CLASS_WING && c != SINEW_CLASS_PROP && names_[k].certainty == 0;
+      const bool body = is_firm_body(c) && names_[k].certainty == 0;
       if ((body && !verdicts_.is_end(k)) || !ends_freely(k)) return false;
     }
     return true;

@@ -11,7 +11,7 @@ namespace sinew::deform {
 // Rows that differ by less are one part of the body: 0.75 of 2. From 0.4 to 1.5 bends come out the same.
 constexpr uint32_t kSameRows = 49151;
 
-// Where a triangle is nearest to the center of a cell that it touches.
+// The point of a triangle that is nearest to the center of a cell that it touches.
 struct PairPoint {
   int16_t shares[3];    // Q14, of the triangle's corners
   int16_t position[3];  // Q14, in the cell

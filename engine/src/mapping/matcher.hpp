@@ -96,7 +96,7 @@ inline void add_up_lengths(const Point* points, int32_t count, Point from, doubl
   }
 }
 
-// Whether two plain names say parts that never represent each other: a jaw and a head, a finger and a shoulder.
+// Returns whether two plain names denote parts that never represent each other: a jaw and a head, a finger and a shoulder.
 bool contradict(const JointName& a, const JointName& b);
 
 // Whether a joint below a hand, by its name, moves as a leg: as a thigh or calf, or as a foot that is not of the hand's own source.

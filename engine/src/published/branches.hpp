@@ -51,7 +51,7 @@ class Branches {
   double stored_cost(int32_t i, int32_t j) const {
     return table_ == nullptr || !use_table_ ? joint_cost(i, j) : table_[i * b_.rig->n + j];
   }
-  // Whether branch i of the first rig may be paired with branch k of the other, and at what cost.
+  // Returns whether branch i of the first rig may be paired with branch k of the other, and the cost.
   bool may_pair(int32_t i, int32_t k) const;
   double choice_cost(int32_t i, int32_t k) const {
     const int32_t row = first_ == &a_ ? i : k, column = first_ == &a_ ? k : i;

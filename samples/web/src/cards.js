@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Cards of samples: a picture, which moves while the pointer or the keyboard is on it.
+import { isStill } from "./elements.js";
 import { MovingPicture } from "./moving_picture.js";
 import { movingOf, samples, thumbOf } from "./samples.js";
 
-const still = matchMedia("(prefers-reduced-motion: reduce)");
 /** @type {() => void} */
 let end = () => {}; // of the card that moves
 
 /** @param {HTMLElement} card @param {string} name */
 async function begin(card, name) {
   end();
-  if (still.matches) return;
+  if (isStill()) return;
   let isWanted = true;
   const canvas = document.createElement("canvas");
   end = () => {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Small moving pictures of this character for the clips that ship: made one after another while the step Motion is looked at and nothing else is asked of the page. A clip that is
 // for another kind of body has none, and comes last.
+import { isStill } from "./elements.js";
 import { all, at, engine } from "./state.js";
 import { isForThisBody } from "./builtin_clips.js";
 import { isBusy } from "./jobs.js";
 
 const frames = 12;
-const still = matchMedia("(prefers-reduced-motion: reduce)");
 /** @type {import("./types.js").BindResult | null} */
 let madeOf = null; // the bind that the pictures show
 /** @type {Promise<void> | null} */
@@ -26,7 +26,7 @@ const isWanted = () => at.step === "motion" && Boolean(at.character?.result) && 
 /** @param {HTMLElement} button */
 async function fill(button) {
   const { clip = "" } = button.dataset, { up } = at.character, { result } = at.character;
-  const { notes, poses, seconds } = await engine.call("clipFrames", { name: `builtin:${clip}`, wish: { up, own: false, picture: false, method: 1, pins: [] }, frames: still.matches ? 1 : frames }).catch(() => ({ notes: [], poses: [], seconds: 0 }));
+  const { notes, poses, seconds } = await engine.call("clipFrames", { name: `builtin:${clip}`, wish: { up, own: false, picture: false, method: 1, pins: [] }, frames: isStill() ? 1 : frames }).catch(() => ({ notes: [], poses: [], seconds: 0 }));
   if (at.character?.result !== result || !at.view.look) return;
   const fits = poses.length > 0 && isForThisBody(notes);
   button.classList.toggle("other", !fits);

@@ -5,3 +5,6 @@
 export const $ = (id) => document.getElementById(id);
 /** @type {(selector: string) => any[]} */
 export const all = (selector) => [...document.querySelectorAll(selector)];
+
+// The system asks for stillness.
+export const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matches;

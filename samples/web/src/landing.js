@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The first page: a character that gets bones and colors and walks, in a picture that needs neither three.js nor the engine. The page itself is fetched once that picture moves.
+import { $, isStill } from "./elements.js";
 import { MovingPicture } from "./moving_picture.js";
 import { movingOf, samples } from "./samples.js";
 
 const cycle = 15; // seconds
-const still = matchMedia("(prefers-reduced-motion: reduce)");
 const share = (/** @type {number} */ from, /** @type {number} */ seconds, /** @type {number} */ now) => Math.min(1, Math.max(0, (now - from) / seconds));
 
 // What the picture shows at a time of the cycle: bones grow, colors rise, it walks, and all of it goes again.
@@ -24,7 +24,7 @@ export function sceneAt(now) {
 /** @param {HTMLCanvasElement} canvas @param {HTMLButtonElement} button pauses it */
 async function play(canvas, button) {
   const picture = await MovingPicture.of(movingOf(samples[0]), canvas);
-  let seconds = 0, last = 0, isPaused = still.matches, isRunning = false, frames = 0;
+  let seconds = 0, last = 0, isPaused = isStill(), isRunning = false, frames = 0;
   const draw = () => picture.draw(isPaused && seconds === 0 ? { seconds: 0.25 * picture.seconds, bones: 0.3 } : sceneAt(seconds));
   const next = (/** @type {number} */ now) => {
     isRunning = document.body.classList.contains("start") && !isPaused;
@@ -50,7 +50,5 @@ async function play(canvas, button) {
   await new Promise((resolve) => setTimeout(resolve, 50)); // two frames
 }
 
-/** @type {(id: string) => any} */
-const element = (id) => document.getElementById(id);
-await play(element("hero"), element("hero-pause")).catch(() => (element("hero").hidden = true)); // no WebGL 2, no network: the page says itself what it lacks
+await play($("hero"), $("hero-pause")).catch(() => ($("hero").hidden = true)); // no WebGL 2, no network: the page says itself what it lacks
 await import("./main.js");

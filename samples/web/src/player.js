@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The panel that plays motions: clips, time and speed. What a frame looks like is the page's business.
-import { $ } from "./elements.js";
+import { $, isStill } from "./elements.js";
 
 export class MotionPlayer {
   /** @type {(...of: any[]) => any} */
@@ -84,7 +84,7 @@ export class MotionPlayer {
 
   // At once, where the system has not asked for stillness.
   start() {
-    if (!this.#playing && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.toggle();
+    if (!this.#playing && !isStill()) this.toggle();
   }
 
   toggle() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a file held when it was opened: what was found, what was mended or guessed, and what was left out. It stays in the step Mesh.
-import { sentenceOf } from "./sentences.js";
+import { counted, sentenceOf } from "./sentences.js";
 import { $, at } from "./state.js";
 
 /** @typedef {"found" | "mended" | "left"} Kind */
@@ -14,14 +14,12 @@ export const kindOf = (line) => words.find(([, expression]) => expression.test(l
 
 /** @type {{ kind: Kind, line: string }[]} */
 let lines = [];
-const count = (/** @type {number} */ n, /** @type {string} */ word) => `${n.toLocaleString("en")} ${word}${n === 1 ? "" : "s"}`;
-
 // What the module tells of a file that it has just read.
 /** @param {any} loaded */
 export function beginReport({ vertices, faces, joints, hasReference, license, picture }) {
-  lines = [{ kind: "found", line: `${count(vertices, "vertex").replace("vertexs", "vertices")} and ${count(faces, "face")}` }];
-  if (picture) lines.push({ kind: "found", line: `a drawing with ${count(picture.figures, "figure")}` });
-  else lines.push(joints.length > 0 ? { kind: "found", line: `a skeleton of ${count(joints.length, "bone")}${hasReference ? " with skin weights, to compare with in Weights, Options" : " without skin weights"}` } : { kind: "mended", line: "no skeleton in the file, so one was made" });
+  lines = [{ kind: "found", line: `${counted(vertices, "vertex", "vertices")} and ${counted(faces, "face")}` }];
+  if (picture) lines.push({ kind: "found", line: `a drawing with ${counted(picture.figures, "figure")}` });
+  else lines.push(joints.length > 0 ? { kind: "found", line: `a skeleton of ${counted(joints.length, "bone")}${hasReference ? " with skin weights, to compare with in Weights, Options" : " without skin weights"}` } : { kind: "mended", line: "no skeleton in the file, so one was made" });
   if (license?.authors.length > 0) lines.push({ kind: "found", line: `an author: ${license.authors.join(", ")}` });
   showReport();
 }
@@ -36,7 +34,7 @@ export function report(line) {
 export const leftOut = () => lines.filter(({ kind }) => kind === "left").length;
 
 /** @param {number} clips */
-export const reportClips = (clips) => clips > 0 && report(count(clips, "clip"));
+export const reportClips = (clips) => clips > 0 && report(counted(clips, "clip"));
 
 function showReport() {
   const kinds = /** @type {Kind[]} */ (["found", "mended", "left"]);

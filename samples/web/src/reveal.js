@@ -6,15 +6,16 @@ import { bind } from "./binding.js";
 import { gaitsOf, isForThisBody } from "./builtin_clips.js";
 import { colour } from "./colours.js";
 import { predict } from "./editing.js";
+import { isStill } from "./elements.js";
 import { run, whileBusy } from "./jobs.js";
 import { offer } from "./offer.js";
 import { doubtsOf } from "./rail.js";
 import { record } from "./recording.js";
+import { counted } from "./sentences.js";
 import { nextDoubt } from "./showing.js";
 import { $, at, engine, modes } from "./state.js";
 import { goTo, setStep } from "./steps.js";
 
-const still = matchMedia("(prefers-reduced-motion: reduce)");
 const growing = 800, sweeping = 700; // milliseconds
 
 // The open character with a skeleton and weights.
@@ -49,7 +50,7 @@ async function walk() {
 }
 
 export async function reveal() {
-  if (still.matches) return beginBound();
+  if (isStill()) return beginBound();
   document.body.classList.add("revealed");
   try {
     await whileBusy("Finding the bones", async () => {
@@ -76,13 +77,11 @@ export async function reveal() {
 // Once the user has said what the body is.
 export const walkOn = () =>
   run(async () => {
-    if (!still.matches && !at.player.motion) await walk();
+    if (!isStill() && !at.player.motion) await walk();
     if (at.player.motion) setStep("motion");
     record("walk");
     await showFound();
   });
-
-const count = (/** @type {number} */ n, /** @type {string} */ word) => `${n} ${word}${n === 1 ? "" : "s"}`;
 
 // What was found, and the ways on.
 export async function showFound() {
@@ -90,9 +89,9 @@ export async function showFound() {
   await colour();
   if (at.player.motion) at.player.start();
   if (!$("offer").hidden) return document.body.classList.remove("revealed"); // a question comes first
-  const doubts = doubtsOf(), bones = count(at.character.joints.length, "bone");
+  const doubts = doubtsOf(), bones = counted(at.character.joints.length, "bone");
   const ways = { "Choose animations": () => goTo("motion"), "Fix bones": () => goTo("skeleton"), Export: () => goTo("export") };
   const check = () => (goTo("skeleton"), nextDoubt());
-  if (doubts.length > 0) offer(`${bones}, ${count(doubts.length, "limb")} to check: ${doubts.map(({ name }) => name).join(", ")}.`, { "Check them": check, "Choose animations": ways["Choose animations"], Export: ways.Export }, { leads: true });
+  if (doubts.length > 0) offer(`${bones}, ${counted(doubts.length, "limb")} to check: ${doubts.map(({ name }) => name).join(", ")}.`, { "Check them": check, "Choose animations": ways["Choose animations"], Export: ways.Export }, { leads: true });
   else offer(`${bones}, ${at.character.doubtful ? "but this mesh is hard to recognize. Check them." : "all sure."}`, ways, { leads: true });
 }

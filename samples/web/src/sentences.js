@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Lines of the readers and jobs, which speak to users of the command, as sentences of the page: without the command's options.
+/** @type {(n: number, word: string, words?: string) => string} */
+export const counted = (n, word, words = `${word}s`) => `${n.toLocaleString("en")} ${n === 1 ? word : words}`;
+
 const isOption = /(^|[ (])--[a-z]/;
 
 /** @param {string} line @returns {string} */

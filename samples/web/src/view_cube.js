@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The axes in the corner of the picture, three's ViewHelper: a click on one looks along it.
+import { isStill } from "./elements.js";
 import { ViewHelper } from "three/addons/helpers/ViewHelper.js";
 
 const leastWidth = 560; // of the picture: a phone has the buttons alone
 const corner = { left: null, bottom: null, right: 4, top: 4 };
-const still = matchMedia("(prefers-reduced-motion: reduce)");
 
 export class ViewCube {
   #helper;
@@ -54,7 +54,7 @@ export class ViewCube {
     if (!this.#helper.handleClick(event)) return;
     event.stopPropagation();
     this.#last = performance.now();
-    this.#turn(still.matches ? Infinity : 0);
+    this.#turn(isStill() ? Infinity : 0);
   }
 
   /** @param {number} seconds */
