@@ -22,7 +22,7 @@ endif()
 add_test(NAME web_build COMMAND ${web}/build.sh ${CMAKE_BINARY_DIR}/web)
 set_tests_properties(web_build PROPERTIES LABELS "web;tools" COST 900 TIMEOUT 1200 FIXTURES_SETUP web
   ENVIRONMENT SINEW_WASM_ENGINE=${CMAKE_BINARY_DIR}/wasm_engine RESOURCE_LOCK "wasm_engine;web_packages")
-foreach(name first page studio moves scenes binds work shape drawing springs export access firefox)
+foreach(name first page studio moves scenes binds work loss shape drawing springs export access firefox)
   add_test(NAME web_${name} COMMAND ${CMAKE_COMMAND} -E env SINEW_CHROMIUM=${SINEW_CHROMIUM} ${SINEW_NODE} ${web}/test/${name}_test.mjs
     ${CMAKE_BINARY_DIR}/web ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/web_screenshots_${name} $<TARGET_FILE:sinew_cli>)
   set_tests_properties(web_${name} PROPERTIES LABELS "web;tools" COST 300 TIMEOUT 1200 FIXTURES_REQUIRED web)

@@ -9,7 +9,7 @@ start_build() {
   who=$1
   mkdir -p "$2" "$2.build"
   out=$(cd "$2" && pwd) build=$(cd "$2.build" && pwd)
-  export SINEW_WASM_ENGINE=${SINEW_WASM_ENGINE:-$build/engine}
+  export SINEW_WASM_ENGINE=$(realpath -m "${SINEW_WASM_ENGINE:-$build/engine}")
 }
 # build_host: what page and package have of formats and character, with SIMD in the engine or without. build_engine came first. $host_arguments are cmake's for
 # host.cmake then.

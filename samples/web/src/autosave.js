@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Work is kept in the browser's own database a moment after every step, and offered when the page is opened again.
-import { at, engine } from "./state.js";
+import { at } from "./state.js";
 import { filesOf, projectOf } from "./project.js";
 
 const delay = 700; // milliseconds after a step
@@ -44,10 +44,8 @@ export async function presentProject() {
   const { result, source } = character;
   if (!result || !source.history) throw new Error("nothing is bound yet");
   const state = source.history.now;
-  const keeps = result.lockedVertices > 0 || result.paintedVertices > 0;
-  const rows = keeps ? await engine.call("rows") : null;
   const { files, beside } = source.document;
-  const project = projectOf(character, state, rows, beside);
+  const project = projectOf(character, state, await state.rows, beside);
   return { project, files: filesOf(project).flatMap((name) => files.get(name) ?? []) };
 }
 

@@ -36,12 +36,16 @@ export function undo(forward) {
  */
 export async function restore(state, before) {
   const { source } = at.character;
+  const isLost = state.epoch !== engine.epoch, { recipe } = state; // the module that knew it is gone
+  const rows = isLost ? await state.rows : null;
   const sameRig = before !== null && state.placement === before.placement && state.pictureWishes === before.pictureWishes && state.kept === before.kept && state.epoch === before.epoch;
   at.options.values = state.options;
   $("up").value = String(state.up);
-  if (before && JSON.stringify(state.placement) !== JSON.stringify(before.placement)) await loadPlaced(state.placement);
+  const isOfFile = isLost && !recipe.wishes && before?.recipe.wishes; // its skeleton is the file's
+  if (before && (isOfFile || JSON.stringify(state.placement) !== JSON.stringify(before.placement))) await loadPlaced(state.placement);
   if (before && state.pictureWishes !== before.pictureWishes) await loadDrawn(state.pictureWishes);
-  const { never, always, locked, answers, style, motion, springs, markers } = state;
+  const { never, always, answers, style, motion, springs, markers } = state;
+  const locked = isLost && !rows ? new Set() : state.locked;
   if (!sameRig) await restoreRig(state);
   Object.assign(source, { never, always, locked, answers, style, motion, springs, markers, kept: state.epoch === engine.epoch ? state.kept : 0 });
   if (state.pose.length === at.pose.turns.length) at.pose.turns.set(state.pose);
@@ -52,9 +56,13 @@ export async function restore(state, before) {
     await sendPose();
   } else {
     await bind();
+    if (rows) {
+      await engine.call("putRows", { rows });
+      await bind();
+    }
     showPose();
   }
   showMarkers();
   keepRig();
-  source.history?.replace({ ...state, kept: source.kept, epoch: engine.epoch });
+  source.history?.replace({ ...state, locked, rows: source.rows, kept: source.kept, epoch: engine.epoch });
 }

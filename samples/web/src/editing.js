@@ -49,7 +49,7 @@ function useRig({ joints, picture, ...rig }, chosen) {
   if (picture) at.character.picture = { ...at.character.picture, ...picture }; // its class and clip are known now
   const isSame = joints.length === at.character.joints.length && joints.every(({ parent }, j) => parent === at.character.joints[j].parent);
   source.answers = answersFor(source.answers, at.character.joints, joints, kinds.rigid);
-  Object.assign(at.character, { mirrored: false, doubtful: false, upAxis: upOf(rig, at.character.up) }, rig, { joints });
+  Object.assign(at.character, { mirrored: false, doubtful: false, front: null, frontSure: 1, upSure: 1, upAxis: upOf(rig, at.character.up) }, rig, { joints });
   at.view.setUp(at.character.upAxis);
   lookNowhere();
   at.character.suspects = at.character.predicted ? [...jointsOutside(joints, at.character.buffers, at.character.size), ...missingTail(joints, at.character.upAxis === 1 ? 2 : 1)] : [];

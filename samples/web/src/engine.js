@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The worker's calls as promises. A worker that is stopped answers nothing more: another one takes its place.
+// The worker's calls as promises. A worker that is stopped or ends by itself answers nothing more: another one takes its place.
 
 export class Stopped extends Error {}
 
@@ -13,6 +13,7 @@ export class Engine {
   epoch = 0; // of workers: what one knew the next does not
   /** @type {(share: number) => void} */
   onProgress = () => {};
+  onCrash = () => {}; // another worker is to be started
 
   constructor() {
     this.#begin();
@@ -35,10 +36,10 @@ export class Engine {
     });
   }
 
-  // Ends what is being done, in the middle of it. What waits is rejected with Stopped; the new worker is to be started.
-  stop() {
+  // Ends what is being done, in the middle of it. What waits is rejected with that error; the new worker is to be started.
+  stop(error = new Stopped("stopped")) {
     this.#worker.terminate();
-    this.#rejectAll(new Stopped("stopped"));
+    this.#rejectAll(error);
     this.#worker = new Worker("worker.js", { type: "module" });
     this.#begin();
   }
@@ -50,13 +51,21 @@ export class Engine {
       if (data.progress !== undefined) return this.onProgress(data.progress);
       const asked = this.#waiting.get(data.id);
       this.#waiting.delete(data.id);
-      if (data.error !== undefined) asked?.reject(new Error(data.error));
+      if (data.crashed) this.#crash(data.error, asked);
+      else if (data.error !== undefined) asked?.reject(new Error(data.error));
       else asked?.resolve(data.reply);
     };
     this.#worker.onerror = (event) => {
       event.preventDefault();
-      this.#rejectAll(new Error(`the engine stopped: ${event.message}; reload the page`));
+      this.#crash(event.message);
     };
+  }
+
+  /** @param {string} cause @param {{ reject: (error: Error) => void }} [asked] whose call it was */
+  #crash(cause, asked) {
+    asked?.reject(new Error(`The engine failed at this (${cause}). Your character is as it was before.`));
+    this.stop(asked ? undefined : new Error(`The engine failed (${cause}). Your character is as it was before.`));
+    this.onCrash();
   }
 
   /** @param {Error} error */

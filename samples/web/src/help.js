@@ -4,7 +4,7 @@ import { $ } from "./elements.js";
 
 const does = [
   ["Drop a mesh", "It gets bones and weights and walks. Red limbs may be wrong: in Skeleton, drag a bone, and its mirror image follows. Or mark parts of the body (Markers) and rig again."],
-  ["It lies down or has the wrong size", "In Mesh, rotate it, set its height in meters and put it on the floor. In Skeleton, turn on T pose."],
+  ["It lies down or has the wrong size", "In Mesh, tip it over until it stands, turn the arrow to its front, set its height in meters and put it on the floor. In Skeleton, turn on T pose."],
   ["Drop a rigged file", "Its bones get new weights; Material, Weights and Confidence show the result."],
   ["Drop a motion", "A motion file moves the open character. In Motion, so does any animated file. Each file adds its clips."],
   ["Export", "Choose your program: the page says what the file will leave out. A project keeps everything you did."],

@@ -57,6 +57,14 @@ export function stopJobs() {
   return true;
 }
 
+let recovers = false;
+// The worker is gone: another one is started, with the character as its history last had it. A character that ends that one too is closed.
+export function recover() {
+  if (recovers) at.lastDone = null;
+  recovers = true;
+  run(() => at.afterStop().then(() => (recovers = false)));
+}
+
 /** @param {BlobPart} content @param {string} type @param {string} name */
 export function save(content, type, name) {
   const link = document.createElement("a");

@@ -106,13 +106,13 @@ async function addPictures(list) {
 }
 
 // They take the place of those that are open; what was done to one and is in no file stays open beside them.
-async function openCharacters(characters, document, state = null, rows = null) {
+async function openCharacters(characters, document, state = null) {
   const before = at.open;
   for (const source of characters) source.document = document;
   const stay = before.filter(({ changed, resumed }) => changed || resumed);
   at.open = [...stay, ...characters];
   try {
-    await load(characters[0], state, rows);
+    await load(characters[0], state);
   } catch (error) {
     at.open = before;
     showCharacters();
@@ -139,7 +139,7 @@ export async function openSample(sample) {
 // A project's file, or what the browser kept. list: its files; id: that it is kept by.
 /** @param {string} name @param {string} text @param {File[]} list @param {string} [id] */
 export async function openProject(name, text, list, id) {
-  const { state, rows, ...project } = readProject(name, text);
+  const { state, ...project } = readProject(name, text);
   const files = list.filter((file) => file.name !== "project.json");
   const missing = filesOf({ ...project, state }).filter((wanted) => !files.some((file) => file.name === wanted));
   if (missing.length > 0) throw new Error(`${name}: lacks ${missing.join(", ")}`);
@@ -147,7 +147,7 @@ export async function openProject(name, text, list, id) {
   await giveFiles(files, document);
   at.waiting = {};
   const source = { id, resumed: id !== undefined, name: project.name, mesh: project.mesh, skeleton: project.skeleton, step: project.step, pictureWishes: project.pictureWishes };
-  await openCharacters([source], document, state, rows);
+  await openCharacters([source], document, state);
 }
 
 // After a stopped job: another worker, with what the character last was.
@@ -188,8 +188,8 @@ async function closeCharacter(source) {
   await forgetSources([source]);
 }
 
-// state: what it is to be like, of a project, with its rows; else as its history last had it, else as its file has it.
-export async function load(source, state = null, rows = null) {
+// state: what it is to be like, of a project; else as its history last had it, else as its file has it.
+export async function load(source, state = null) {
   const { name, mesh, document: { folder } } = source;
   if (source !== at.character?.source) await saveWork();
   at.player.pause();
@@ -211,7 +211,7 @@ export async function load(source, state = null, rows = null) {
   showOpened(loaded);
   showCharacters();
   if (wanted) {
-    await bring(wanted, rows);
+    await restore(wanted, null);
   } else {
     if (loaded.joints.length === 0 && !loaded.picture) await reveal();
     else await beginBound();
@@ -246,17 +246,6 @@ async function moveDrawing() {
   at.view.frame([0, 0.05, 1]); // it is flat
   await at.motions.open([picture.clip]);
   at.player.start();
-}
-
-// The character that was just loaded, as it was in that state.
-async function bring(state, rows) {
-  const { source } = at.character;
-  if (state.epoch !== engine.epoch && state.locked.size > 0 && !rows) state = { ...state, locked: new Set() }; // those rows went with the worker
-  await restore(state, null);
-  if (!rows) return;
-  await engine.call("putRows", { rows });
-  source.locked = state.locked;
-  await bind();
 }
 
 export function motionChanged(motion) {

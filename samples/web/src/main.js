@@ -15,7 +15,7 @@ import { dragJoint, editName, editSkeleton, endDrag, moves, predict, toMiddle, u
 import { exportFor, listenForExport, showProgram } from "./export.js";
 import { allFiles, motionFiles } from "./files.js";
 import { showHelp } from "./help.js";
-import { clearError, queue, run, save, showError, stopJobs, whileBusy } from "./jobs.js";
+import { clearError, queue, recover, run, save, showError, stopJobs, whileBusy } from "./jobs.js";
 import { JointList } from "./joint_list.js";
 import { showKept } from "./kept.js";
 import { listenForKeys } from "./keys.js";
@@ -43,6 +43,7 @@ import { goTo, setStep } from "./steps.js";
 import { View } from "./view.js";
 import { zip } from "./zip.js";
 
+engine.onCrash = recover;
 engine.onProgress = (share) => {
   $("progress").classList.toggle("told", share > 0);
   $("progress").firstElementChild.style.width = share > 0 ? `${share * 100}%` : "100%";

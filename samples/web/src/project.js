@@ -22,7 +22,7 @@ export function projectOf({ name, source }, state, rows, beside) {
 export const filesOf = ({ mesh, skeleton, beside, pictureWishes, state }) =>
   [...new Set([mesh, skeleton, ...beside, pictureWishes?.mask ?? "", ...(state.motion?.files ?? [])])].filter((file) => file !== "" && !file.startsWith("builtin:"));
 
-// {name, mesh, skeleton, step, state, rows} of a project's text. Throws Error for anything else.
+// {name, mesh, skeleton, step, state} of a project's text. Throws Error for anything else.
 /** @param {string} name @param {string} text */
 export function readProject(name, text) {
   let project;
@@ -32,9 +32,9 @@ export function readProject(name, text) {
     throw new Error(`${name}: its project.json is damaged`);
   }
   if (project?.sinewProject !== format) throw new Error(`${name}: expected a project of version ${format}, found ${project?.sinewProject ? `version ${project.sinewProject}` : "something else"}`);
-  const { state } = project;
+  const { state, rows } = project;
   return {
     ...project,
-    state: { ...state, pictureWishes: project.pictureWishes, kept: 0, markers: state.markers ?? [], springs: state.springs ?? null, epoch: 0, style: null, pose: Float32Array.from(state.pose), never: new Set(state.never), always: new Set(state.always), locked: new Set(state.locked) },
+    state: { ...state, rows, pictureWishes: project.pictureWishes, kept: 0, markers: state.markers ?? [], springs: state.springs ?? null, epoch: 0, style: null, pose: Float32Array.from(state.pose), never: new Set(state.never), always: new Set(state.always), locked: new Set(state.locked) },
   };
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The rail of steps with its ticks, and what the panel says of the present one.
+import { placementDoubts } from "./dial.js";
 import { chosenProgram } from "./programs.js";
 import { $, at } from "./state.js";
 
@@ -37,7 +38,7 @@ const count = (/** @type {number} */ n) => n.toLocaleString("en");
 const isLooked = (/** @type {string} */ step) => Boolean(at.character?.source.looked?.has(step));
 /** @type {Record<string, () => boolean>} */
 const isDone = {
-  mesh: () => Boolean(at.character),
+  mesh: () => Boolean(at.character) && placementDoubts(at.character).length === 0,
   skeleton: () => Boolean(at.character?.joints.length) && doubtsOf().length === 0 && isLooked("skeleton"),
   weights: () => Boolean(at.character?.result) && isLooked("weights"),
   motion: () => Boolean(at.player?.motion),

@@ -20,6 +20,7 @@ function capture() {
     springs: source.springs ?? null,
     markers: source.markers,
     placement: source.placement,
+    rows: source.rows ?? null,
     pictureWishes: source.pictureWishes,
   };
 }
@@ -34,6 +35,8 @@ export function keepRig() {
   source.kept = ++lastKept;
   kept.add(source.kept);
   engine.call("keep", { number: source.kept }).catch(() => {}); // in the order of the calls
+  const { lockedVertices = 0, paintedVertices = 0 } = at.character.result ?? {};
+  source.rows = lockedVertices > 0 || paintedVertices > 0 ? engine.call("rows").catch(() => null) : null;
 }
 
 /** @param {import("./types.js").Source} source */

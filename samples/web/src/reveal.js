@@ -5,10 +5,12 @@ import { useStyleAnswers } from "./asking.js";
 import { bind } from "./binding.js";
 import { gaitsOf, isForThisBody } from "./builtin_clips.js";
 import { colour } from "./colours.js";
+import { angleOf, frontAt, placementDoubts, quarterOf } from "./dial.js";
 import { predict } from "./editing.js";
 import { isStill } from "./elements.js";
 import { run, whileBusy } from "./jobs.js";
 import { offer } from "./offer.js";
+import { setFront } from "./placing.js";
 import { doubtsOf } from "./rail.js";
 import { record } from "./recording.js";
 import { counted } from "./sentences.js";
@@ -89,6 +91,25 @@ export async function showFound() {
   await colour();
   if (at.player.motion) at.player.start();
   if (!$("offer").hidden) return document.body.classList.remove("revealed"); // a question comes first
+  if (placementDoubts(at.character).includes("front")) return askFront();
+  showBones();
+}
+
+// Left and right may be exchanged: whoever looks at it knows.
+function askFront() {
+  const { upAxis, front, frontSure } = at.character;
+  const angle = angleOf(front, upAxis), quarter = quarterOf(angle);
+  const facing = (/** @type {number} */ other) => () => {
+    setFront(frontAt((quarter + other) % 4, upAxis));
+    at.onKind();
+  };
+  at.view.frame([Math.sin(angle), 0.15, Math.cos(angle)]);
+  offer(`Is this its front? I am only ${Math.round(100 * frontSure)} % sure, and left and right depend on it.`, {
+    Yes: facing(0), "No, its back": facing(2), "No, a side": () => goTo("mesh"),
+  });
+}
+
+function showBones() {
   const doubts = doubtsOf(), bones = counted(at.character.joints.length, "bone");
   const ways = { "Choose animations": () => goTo("motion"), "Fix bones": () => goTo("skeleton"), Export: () => goTo("export") };
   const check = () => (goTo("skeleton"), nextDoubt());

@@ -99,14 +99,7 @@ function showStatus() {
   showSteps();
 }
 
-// What the panel says of the open character.
-export function showPlacement() {
-  const { character } = at;
-  const enabled = Boolean(character?.placeable);
-  for (const id of ["floor", "height", "turn-by-x", "turn-by-y", "turn-by-z"]) $(id).disabled = !enabled;
-  $("floor").checked = Boolean(character?.source.placement?.floor);
-  $("height").value = character?.tall ? Number(character.tall[character.upAxis].toPrecision(4)) : "";
-}
+export const showPlacement = () => at.dial.show(at.character);
 
 export const listJoints = () => at.jointList.show(at.character, at.view.selected, at.view.also);
 const markJoint = () => at.jointList.mark(at.view.selected, at.view.also);

@@ -47,6 +47,8 @@ export const at = {
   editor: later,
   /** @type {import("./markers.js").MarkerPanel} */
   markers: later, // their panel
+  /** @type {import("./dial.js").PlacementDial} */
+  dial: later,
   /** @type {import("./player.js").MotionPlayer} */
   player: later,
   /** @type {import("./motions.js").Motions} */

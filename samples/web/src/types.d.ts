@@ -129,6 +129,7 @@ export interface State {
   springs: Springs | null;
   markers: Marker[];
   placement: Placement;
+  rows?: any; // weights that no bind makes again, painted and locked ones, as web_rows() has them, or a promise of them; null: none
   pictureWishes?: PictureWishes;
 }
 
@@ -164,6 +165,7 @@ export interface Source {
   springs?: Springs | null;
   markers: Marker[];
   placement: Placement;
+  rows?: any; // of the state, see there
   pictureWishes?: PictureWishes;
   history?: History;
 }
@@ -212,6 +214,9 @@ export interface Character {
   axis: number;
   plane: number;
   doubtful?: boolean;
+  front?: any; // unit vector that was found or told, of a predicted skeleton; null without
+  frontSure?: any; // probability of that, 0: it was not counted
+  upSure?: any; // probability of upAxis
   doubts?: { name: string; joint: number; joints: number[] }[];
   suspects?: { name: string; joint: number; joints: number[] }[]; // see suspects.js
   ears?: { name: string; joint: number; joints: number[] }[]; // that move the head

@@ -272,8 +272,7 @@ async function answer({ id, call, ...options }) {
   } catch (error) {
     let line = String(error?.message ?? error);
     if (error instanceof RangeError || error?.status === outOfMemory) line = "Out of memory: the file is too large for this browser; use the sinew command";
-    if (error instanceof WebAssembly.RuntimeError) line = `the engine stopped (${line}); reload the page`;
-    postMessage({ id, error: line });
+    postMessage({ id, error: line, crashed: error instanceof WebAssembly.RuntimeError });
   }
 }
 

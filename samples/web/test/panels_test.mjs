@@ -2,6 +2,7 @@
 // What the page's panels compute, without a page: bends, figures of motions, words about maps, turns of joints.
 import assert from "node:assert/strict";
 import { bendGrade, worstFirst } from "../src/bends.js";
+import { angleOf, frontAt, frontFound, frontOfJoints, placementDoubts, placementText, quarterOf } from "../src/dial.js";
 import { treeOrder } from "../src/joint_list.js";
 import { pinned, unpinned } from "../src/map_panel.js";
 import { clipFigures, clipText } from "../src/methods.js";
@@ -65,6 +66,22 @@ const free = side.line.findIndex((_, i) => !side.points.includes(i));
 assert.deepEqual(draggable([square], 1, side.line[free])[0].points, [...side.points, free].sort((one, other) => one - other), "what was moved last stays a point");
 assert.equal(draggable([square], 1, [50, 50])[0].points.length, side.points.length, "nothing is near");
 assert.equal(dragged(side, 0, [-5, -5]).filter((place, i) => place !== side.line[i]).length, gone.length, "the first point has a last one beside it");
+
+// The dial: quarters from the viewer to the picture's right, with y up and with z up.
+const ofQuarters = (fronts, up) => fronts.map((front) => quarterOf(angleOf(front, up)));
+assert.deepEqual(ofQuarters([[0, 0, 1], [1, 0, 0], [0, 0, -1], [-1, 0, 0], [0.3, 0, 0.9], [-0.9, 0.1, 0.1]], 0), [0, 1, 2, 3, 0, 3]);
+assert.deepEqual(ofQuarters([[0, -1, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0]], 1), [0, 1, 2, 3]);
+assert.deepEqual([0, 1].map((up) => [0, 1, 2, 3].map((quarter) => frontAt(quarter, up))), [[1, 3, 2, 4], [6, 3, 5, 4]]);
+const sides = (left, right) => [{ side: 1, position: left }, { side: -1, position: right }, { side: 0, position: [9, 9, 9] }, { side: 1, position: left }];
+assert.deepEqual(frontOfJoints(sides([2, 1, 0], [-2, 1, 0]), 0).map(Math.round), [-0, 0, 1]);
+assert.deepEqual(frontOfJoints(sides([0, 2, 1], [0, -2, 1]), 1).map(Math.round), [1, -0, 0]);
+assert.equal(frontOfJoints(sides([2, 1, 0], [2, 0, 0]), 0), null);
+const placed = { predicted: true, joints: [], upAxis: 0, up: 2, upSure: 0.6, front: [0, 0, 1], frontSure: 0.55 };
+assert.deepEqual([placementDoubts(placed), placementDoubts({ ...placed, upSure: 1, frontSure: 0 }), placementDoubts({ ...placed, predicted: false })], [["up", "front"], [], []]);
+assert.equal(placementText(placed, 0), "Up is Y (60 % sure). The front is +Z (55 % sure). Left and right may be exchanged: turn the arrow to the front. If it does not stand, tip it over.");
+assert.equal(placementText({ ...placed, upSure: 1, frontSure: 0 }, 0), "Up is Y (sure). The front is +Z (a guess).");
+assert.equal(placementText({ ...placed, predicted: false, joints: sides([0, 0, -1], [0, 0, 1]) }, 0), "Up is Y. The front is +X, by its bones.");
+assert.equal(frontFound({ ...placed, front: null }, 0), null);
 
 assert.deepEqual(treeOrder(skeleton), [0, 1, 3, 2]);
 console.log("panels: ok");

@@ -17,6 +17,7 @@ const same = async (...args) => {
   assert.equal(await errorLine(), "");
   assert.ok((await saved()).equals(readFileSync(at("command.glb"))), `the page's GLB differs from that of sinew ${args.join(" ")}`);
 };
+const said = () => page.textContent("#dial-said");
 const onPage = (point) => page.evaluate((p) => sinewPage.view.onScreen(p), point);
 const press = async ({ x, y }, to = null) => {
   await page.mouse.move(x, y);
@@ -43,6 +44,14 @@ try {
   // The same lying on its back, with z up and centimetres.
   const lying = readFileSync(at("robot.obj"), "utf8").replace(/^v (\S+) (\S+) (\S+).*$/gm, (_, x, y, z) => `v ${100 * x} ${100 * z} ${-100 * y}`).replace(/^vn (\S+) (\S+) (\S+)/gm, (_, x, y, z) => `vn ${x} ${z} ${-y}`);
   writeFileSync(at("lying.obj"), lying);
+  // The same grown together with its reflection from front to back.
+  const robot = readFileSync(at("robot.obj"), "utf8").split("\n").map((line) => line.split(/\s+/));
+  const vertices = robot.filter(([word]) => word === "v").map(([, ...xyz]) => xyz.map(Number));
+  const faces = robot.filter(([word]) => word === "f").map(([, ...corners]) => corners.filter(Boolean).map((corner) => parseInt(corner, 10)));
+  const alike = [
+    ...vertices.map(([x, y, z]) => `v ${x} ${y} ${z}`), ...vertices.map(([x, y, z]) => `v ${x} ${y} ${-z}`),
+    ...faces.map((face) => `f ${face.join(" ")}`), ...faces.map((face) => `f ${face.map((v) => v + vertices.length).reverse().join(" ")}`), "",
+  ].join("\n");
 
   await step("the first sample is a person in clothes, rigged as the command does it", async () => {
     await page.click("#start .thumbs button >> nth=0");
@@ -57,34 +66,83 @@ try {
   await step("a mesh that lies is turned, stands on the floor and is as tall as it is told", async () => {
     await give(made("lying.obj", lying));
     await go("mesh");
-    await page.click("#turn-by-x");
+    assert.match(await said(), /^Up is Z \(\d+ % sure\)\. The front is \S\S \(\d+ % sure\)\..* If it does not stand, tip it over\.$/);
+    await page.selectOption("#up", "0");
     await settled();
-    assert.equal(await undoName(), "rotate around X");
-    await same("rig", "lying.obj", "--turn", "x");
+    await page.click("#tip-near");
+    await settled();
+    assert.equal(await undoName(), "tip over");
+    assert.match(await said(), /^Up is Y \(as you set it\)\./);
+    await same("rig", "lying.obj", "--up", "y", "--turn", "x");
     await page.fill("#height", "1.8");
     await key("Tab");
     assert.equal(await undoName(), "height");
     await page.check("#floor");
     await settled();
-    await same("rig", "lying.obj", "--turn", "x", "--height", "1.8", "--floor");
+    await same("rig", "lying.obj", "--up", "y", "--turn", "x", "--height", "1.8", "--floor");
     const low = (await positions()).reduce(([least, most], x, i) => (i % 3 === 1 ? [Math.min(least, x), Math.max(most, x)] : [least, most]), [Infinity, -Infinity]);
     assert.ok(Math.abs(low[0]) < 1e-6 && Math.abs(low[1] - 1.8) < 1e-5, `${low}`);
     await views("mesh");
     const [was, project] = [await places(), await downloaded("#save-project")];
     await go("mesh");
-    for (const _ of ["floor", "height", "turn"]) await key("Control+z");
+    for (const _ of ["floor", "height", "tip over", "up axis"]) await key("Control+z");
     assert.equal(await page.isChecked("#floor"), false);
     await same("rig", "lying.obj");
     await give(made(project.name, project.bytes));
     assert.deepEqual(await places(), was);
-    await same("rig", "lying.obj", "--turn", "x", "--height", "1.8", "--floor");
+    await same("rig", "lying.obj", "--up", "y", "--turn", "x", "--height", "1.8", "--floor");
+  });
+
+  await step("the arrow of the dial is the front, and the mesh turns until it faces the viewer", async () => {
+    await give(made("robot.obj", readFileSync(at("robot.obj"))));
+    await go("mesh");
+    const { x, y, width, height } = await page.locator("#dial-ring").boundingBox();
+    await page.mouse.move(x + width / 2, y + height * 0.9);
+    await page.mouse.down();
+    await page.mouse.move(x + width * 0.8, y + height * 0.6, { steps: 4 });
+    await page.mouse.move(x + width * 0.95, y + height / 2);
+    await page.mouse.up();
+    await settled();
+    assert.equal(await page.inputValue("#front"), "3");
+    assert.equal(await said(), "Up is Y (sure). The front is +X (as you set it).");
+    await same("rig", "robot.obj", "--front", "+x");
+    await page.click("#face-viewer");
+    await settled();
+    assert.equal(await said(), "Up is Y (as you set it). The front is +Z (as you set it).");
+    await same("rig", "robot.obj", "--up", "y", "--turn", "-y", "--front", "+z");
+    await views("faces");
+    await key("Control+z");
+    assert.equal(await page.inputValue("#front"), "3");
+    await key("Control+z");
+    assert.equal(await page.inputValue("#front"), "0");
+    await same("rig", "robot.obj");
+  });
+
+  await step("a front that is uncertain is asked for, and its back is the other side", async () => {
+    await give(made("column.obj", alike));
+    assert.equal(await page.textContent("#offer-said"), "This mesh is hard to recognize. What is it?");
+    await page.click("#offer button:has-text('Person')");
+    await settled();
+    assert.match(await page.textContent("#offer-said"), /^Is this its front\? I am only \d+ % sure/);
+    assert.equal(await page.getAttribute("#rail [data-step=mesh]", "aria-label"), "Mesh");
+    const found = await page.evaluate(() => sinewPage.character.front);
+    await page.click("#offer button:has-text('No, its back')");
+    await settled();
+    const now = await page.evaluate(() => sinewPage.character.front);
+    assert.ok(found[0] * now[0] + found[2] * now[2] < -0.7, `${found} ${now}`);
+    assert.equal(await page.getAttribute("#rail [data-step=mesh]", "aria-label"), "Mesh, done");
+    await go("mesh");
+    assert.match(await said(), /as you set it\)\.$/);
+    await shoot("front");
   });
 
   await step("a GLB with materials goes along as a whole", async () => {
     await give(file("biped__caped.gltf"));
     await go("mesh");
     const before = await places();
-    await page.click("#turn-by-y");
+    assert.match(await said(), /^Up is Y. The front is \+Z, by its bones\.$/);
+    for (const id of ["front", "face-viewer"]) assert.ok(await page.isDisabled(`#${id}`), id);
+    await page.click("#tip-left");
     await settled();
     await page.fill("#height", "0.5");
     await key("Tab");

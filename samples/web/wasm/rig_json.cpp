@@ -66,7 +66,12 @@ Json rig_json(const Rigs& rigs) {
     reply["spread"] = skeleton.spread;
     reply["doubtful"] = rig.predicted && skeleton.usable && *skeleton.usable < kDoubtfulUsable;
     reply["seconds"] = skeleton.seconds;
-    if (rig.predicted) reply["upAxis"] = skeleton.up_axis == Axis::kZ ? 1 : 0;
+    if (rig.predicted) {
+      reply["upAxis"] = skeleton.up_axis == Axis::kZ ? 1 : 0;
+      reply["upSure"] = skeleton.up_confidence;
+      reply["front"] = skeleton.front;
+      reply["frontSure"] = skeleton.front_confidence;
+    }
     reply["doubts"] = Json::array();
     if (rig.predicted)
       for (const LimbDoubt& limb : doubtful_limbs(skeleton))
