@@ -41,8 +41,8 @@ export async function restore(state, before) {
   const sameRig = before !== null && state.placement === before.placement && state.pictureWishes === before.pictureWishes && state.kept === before.kept && state.epoch === before.epoch;
   at.options.values = state.options;
   $("up").value = String(state.up);
-  const isOfFile = isLost && !recipe.wishes && before?.recipe.wishes; // its skeleton is the file's
-  if (before && (isOfFile || JSON.stringify(state.placement) !== JSON.stringify(before.placement))) await loadPlaced(state.placement);
+  const isOfFile = Boolean(isLost && !recipe.wishes && before?.recipe.wishes); // its skeleton is the file's
+  if (before && (isOfFile || JSON.stringify(state.placement) !== JSON.stringify(before.placement))) await loadPlaced(state.placement, isOfFile);
   if (before && state.pictureWishes !== before.pictureWishes) await loadDrawn(state.pictureWishes);
   const { never, always, answers, style, motion, springs, markers } = state;
   const locked = isLost && !rows ? new Set() : state.locked;

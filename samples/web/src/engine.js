@@ -13,7 +13,8 @@ export class Engine {
   epoch = 0; // of workers: what one knew the next does not
   /** @type {(share: number) => void} */
   onProgress = () => {};
-  onCrash = () => {}; // another worker is to be started
+  /** @type {(cause: string) => void} */
+  onCrash = () => {}; // the worker ended by itself: another one is to be started
 
   constructor() {
     this.#begin();
@@ -36,10 +37,11 @@ export class Engine {
     });
   }
 
-  // Ends what is being done, in the middle of it. What waits is rejected with that error; the new worker is to be started.
-  stop(error = new Stopped("stopped")) {
+  // Ends what is being done, in the middle of it. What waits is rejected with Stopped; the new worker is to be started.
+  stop() {
     this.#worker.terminate();
-    this.#rejectAll(error);
+    for (const { reject } of this.#waiting.values()) reject(new Stopped("stopped"));
+    this.#waiting.clear();
     this.#worker = new Worker("worker.js", { type: "module" });
     this.#begin();
   }
@@ -49,10 +51,10 @@ export class Engine {
     this.#isStarted = false;
     this.#worker.onmessage = ({ data }) => {
       if (data.progress !== undefined) return this.onProgress(data.progress);
+      if (data.crashed) return this.#crash(data.error);
       const asked = this.#waiting.get(data.id);
       this.#waiting.delete(data.id);
-      if (data.crashed) this.#crash(data.error, asked);
-      else if (data.error !== undefined) asked?.reject(new Error(data.error));
+      if (data.error !== undefined) asked?.reject(new Error(data.error));
       else asked?.resolve(data.reply);
     };
     this.#worker.onerror = (event) => {
@@ -61,16 +63,9 @@ export class Engine {
     };
   }
 
-  /** @param {string} cause @param {{ reject: (error: Error) => void }} [asked] whose call it was */
-  #crash(cause, asked) {
-    asked?.reject(new Error(`The engine failed at this (${cause}). Your character is as it was before.`));
-    this.stop(asked ? undefined : new Error(`The engine failed (${cause}). Your character is as it was before.`));
-    this.onCrash();
-  }
-
-  /** @param {Error} error */
-  #rejectAll(error) {
-    for (const { reject } of this.#waiting.values()) reject(error);
-    this.#waiting.clear();
+  /** @param {string} cause */
+  #crash(cause) {
+    this.stop();
+    this.onCrash(cause);
   }
 }

@@ -59,10 +59,15 @@ export function stopJobs() {
 
 let recovers = false;
 // The worker is gone: another one is started, with the character as its history last had it. A character that ends that one too is closed.
-export function recover() {
+/** @param {string} cause */
+export function recover(cause) {
   if (recovers) at.lastDone = null;
   recovers = true;
-  run(() => at.afterStop().then(() => (recovers = false)));
+  run(async () => {
+    await at.afterStop();
+    recovers = false;
+    showError(`The engine failed (${cause}). ${at.character ? "Your character is as it was before that." : "Open another file."}`);
+  });
 }
 
 /** @param {BlobPart} content @param {string} type @param {string} name */

@@ -15,7 +15,6 @@ function timeText(time) {
 async function goOn({ id, name, text }) {
   const files = await keptFiles(id);
   await openProject(name, text, files, (await claim(id)) ? id : ""); // another window has it open and goes on keeping it
-  await showKept();
 }
 
 /** @param {import("./types.js").Kept} kept */

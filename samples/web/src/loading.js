@@ -120,6 +120,7 @@ async function openCharacters(characters, document, state = null) {
   }
   $("sample").value = "";
   await forgetSources(before.filter((source) => !stay.includes(source)));
+  await at.onOpened();
 }
 
 // Characters that are open no more.
@@ -186,6 +187,7 @@ async function closeCharacter(source) {
   at.open = at.open.filter((one) => one !== source);
   showCharacters();
   await forgetSources([source]);
+  await at.onOpened();
 }
 
 // state: what it is to be like, of a project; else as its history last had it, else as its file has it.

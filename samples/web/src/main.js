@@ -227,6 +227,7 @@ function listen() {
   at.onExported = at.onProgram = () => showSteps();
   at.onStep = showProgram;
   at.onKind = walkOn;
+  at.onOpened = showKept;
   listenForSkeleton();
   listenForWeights();
   listenForPoses();

@@ -13,14 +13,15 @@ import { $, at, engine, modes } from "./state.js";
 import { firstStep, setStep } from "./steps.js";
 
 export const unplaced = { turns: [], height: 0, floor: false };
-/** @type {(source: import("./types.js").Source) => object} */
-export const asLoaded = ({ document: { folder }, mesh, skeleton, number, placement }) => ({ folder, mesh, skeleton, number, place: { ...placement, up: Number($("up").value) === 1 ? 1 : 0 } });
+/** @type {(source: import("./types.js").Source, anew?: boolean) => object} */
+export const asLoaded = ({ document: { folder }, mesh, skeleton, number, placement }, anew = false) => ({ folder, mesh, skeleton, number, place: { ...placement, anew, up: Number($("up").value) === 1 ? 1 : 0 } });
 
 // The open character turned or scaled as a whole: with the joints of its file, without weights.
+// anew: with the joints of its file also where others stood in the same placement.
 /** @param {import("./types.js").Placement} placement */
-export async function loadPlaced(placement) {
+export async function loadPlaced(placement, anew = false) {
   const { source, name, up } = at.character;
-  const loaded = await whileBusy(`Moving ${name}`, () => engine.call("load", asLoaded({ ...source, placement })));
+  const loaded = await whileBusy(`Moving ${name}`, () => engine.call("load", asLoaded({ ...source, placement }, anew)));
   source.placement = placement;
   at.character = { ...loaded, name, up, upAxis: upOf(loaded, up), source, result: null, size: longestSide(loaded.buffers.positions), placeable: true };
   source.locked = new Set(); // with the rows that were locked

@@ -84,6 +84,8 @@ export const at = {
   forceScalar: false,
   onExported: () => {},
   onStep: () => {}, // another step is worked on
+  /** @type {() => any} */
+  onOpened: () => {}, // other characters are open
   onKind: () => {}, // the user said what the body is
   onProgram: () => {}, // another one is chosen in the step Export
   /** @type {() => any} */

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The five steps of a character: one is worked on at a time, the panel has what it needs and nothing else.
+import { autosave } from "./autosave.js";
 import { colour } from "./colours.js";
 import { showDrawing } from "./drawn.js";
 import { setEditing, showSkeleton } from "./editing.js";
@@ -40,6 +41,7 @@ export function goTo(step) {
   const { source } = at.character;
   source.looked = new Set([...(source.looked ?? []), at.step, step]);
   source.step = step; // a tab that is opened again shows it
+  autosave();
   setStep(step);
   run(colour);
   run(sendPose);

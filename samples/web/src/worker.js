@@ -141,7 +141,7 @@ const calls = {
     }
   },
   model: ({ name }) => ask("model", plain(name)),
-  // place: {turns, height, floor, up} as web_load() has it
+  // place: {turns, height, floor, up, anew} as web_load() has it
   async load({ mesh, skeleton, number, place = {} }) {
     await needScenes(mesh);
     return { ...ask("load", plain(mesh), skeleton && plain(skeleton), number, place), buffers: take(opened) };

@@ -288,8 +288,11 @@ Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint
   std::vector<std::vector<Influence>> reference =
       skeleton.empty() ? std::move(character.influences) : weights_of_file(skeleton, read_mesh(mesh));
   character.influences.clear();
+  if (place.value("anew", false)) s.rigs_of.erase(number);
   Json reply = start(s, std::move(character), std::move(choice), std::move(reference), number,
-                     is_identity(transform) ? "" : place.dump());
+                     is_identity(transform)
+                         ? ""
+                         : Json{transform.turns, transform.height, transform.floor, place.value("up", 0u)}.dump());
   s.pictures_of.erase(number);
   return reply;
 }

@@ -155,7 +155,7 @@ EMSCRIPTEN_KEEPALIVE const char* web_model(const char* path) {
 
 // skeleton: "" when the mesh file has its own or none. number: of the character; where one has been loaded before, it has
 // the skeleton that it had last. A failure leaves the present character as it was.
-// place: {turns, height, floor} as CharacterTransform has them, up (1 = z); all may be missing. Where it is another one than before, the skeleton is the file's.
+// place: {turns, height, floor} as CharacterTransform has them, up (1 = z), anew; all may be missing. Where anew is true, or it is another one than before, the skeleton is the file's.
 EMSCRIPTEN_KEEPALIVE const char* web_load(const char* mesh, const char* skeleton, uint32_t number, const char* place) {
   return answer([&] { return load(session(), mesh, skeleton, number, Json::parse(place)); });
 }
