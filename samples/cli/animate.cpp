@@ -317,6 +317,9 @@ void add_animate_inputs(CLI::App* sub, AnimateSettings* s) {
 void add_clip_options(CLI::App* sub, AnimateSettings* s) {
   section(sub, "The clip");
   sub->add_flag("--in-place", s->in_place, "Keep the character above its rest position");
+  sub->add_option("--arm-spread", s->arm_spread, "Lift both arms away from the body; below 0: bring them nearer")
+      ->check(CLI::Range(-90.0, 90.0))
+      ->type_name("DEGREES");
   sub->add_flag("--translations", s->translations,
                 "Stretch the spine, arms and legs as in the motion. By default they keep their lengths unless the rigs "
                 "are equal");

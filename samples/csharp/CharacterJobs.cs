@@ -260,6 +260,8 @@ namespace Sinew
         public string Limits;
         /// <summary>Simulates the character's springs (hair, tails, ears, skirts) in the clips, see springs()</summary>
         public bool Springs;
+        /// <summary>Degrees, -90..90, by which both arms are lifted away from the body, as in sinew_retarget_options</summary>
+        public float ArmSpread;
         /// <summary>Of the motion; 0 = found</summary>
         public Up MotionUp;
         /// <summary>Layout of keypoints (.npy, .npz): "smpl24", ...; null: chosen by the number of keypoints</summary>
@@ -332,7 +334,8 @@ namespace Sinew
                 target_up = (uint)TargetUp, shapes = (uint)Shapes, report = Report ? 1u : 0, force = Force ? 1u : 0,
                 translations = Translations ? 1u : 0, depth = Depth ? 1u : 0, pin_count = Character.Count(Pins),
                 pins = pins.Of((object)Pins), map = pins.Of(Map), sources = pins.Of(Sources), limits = pins.Of(Limits),
-                springs = Springs ? 1u : 0, motion = pins.Of(motion), deform = pins.Of(deform), reference = pins.Of(reference) });
+                springs = Springs ? 1u : 0, arm_spread = ArmSpread, motion = pins.Of(motion), deform = pins.Of(deform),
+                reference = pins.Of(reference) });
         }
     }
 

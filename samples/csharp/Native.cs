@@ -281,6 +281,7 @@ namespace Sinew
             public uint struct_size, method, in_place;
             public float scale;
             public uint translations;
+            public float arm_spread;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -663,7 +664,8 @@ namespace Sinew
             public IntPtr progress, progress_user, models, motion, deform, reference;
             public uint method, without, in_place, target_up, shapes, report, force, translations, depth, pin_count;
             public IntPtr pins, map, sources, limits;
-            public uint springs, reserved;
+            public uint springs;
+            public float arm_spread;
         }
 
         [StructLayout(LayoutKind.Sequential)]

@@ -18,6 +18,8 @@ namespace Sinew
         public bool InPlace;
         /// <summary>Target length per source length; 0: from the legs.</summary>
         public float Scale;
+        /// <summary>Degrees, -90..90, by which both arms are lifted away from the body, or brought nearer if below 0.</summary>
+        public float ArmSpread;
         /// <summary>[target joints] sinew_joint_class; null: derived from names, from those of the sources or from a human body.</summary>
         public byte[] Classes;
         /// <summary>The target's mesh (triangles) with its weights, for contacts of its skin with the floor and hands;
@@ -147,7 +149,7 @@ namespace Sinew
                 return new Native.sinew_retarget_options
                 {
                     struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_retarget_options)),
-                    in_place = settings.InPlace ? 1u : 0, scale = settings.Scale
+                    in_place = settings.InPlace ? 1u : 0, scale = settings.Scale, arm_spread = settings.ArmSpread
                 };
             }
 

@@ -100,6 +100,7 @@ struct Call {
       source.up = in.below(5);
       target.up = in.below(5);
       options.in_place = in.below(8) == 7 ? 2 : in.below(2);
+      options.arm_spread = 40 * static_cast<float>(options.in_place);
       contacts.fps = any_float(in, (extras & kRaw) != 0);
       points.area_power = in.below(8) == 7 ? SINEW_NO_AREA : in.below(6);
       points.own_limb = in.below(8) == 7 ? 2 : in.below(2);

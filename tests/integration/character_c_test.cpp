@@ -251,10 +251,13 @@ TEST_F(CharacterC, AnimatesAsTheCommand) {
 
   // A bare mesh is rigged first; from memory.
   put(in("bare.obj"), slurp(kRobed));
-  good("animate bare.obj --motion swing.bvh --in-place --deform volume --cells 16 --shapes 2 -o bare.glb");
+  good(
+      "animate bare.obj --motion swing.bvh --in-place --arm-spread 20 --deform volume --cells 16 --shapes 2 -o "
+      "bare.glb");
   const Handle bare = open_memory({in("bare.obj")}), memory = open_memory({in("swing.bvh")});
   sinew_character_animate_options options = SINEW_INIT(sinew_character_animate_options);
   options.in_place = 1;
+  options.arm_spread = 20;
   sinew_character_deformation deform = SINEW_INIT(sinew_character_deformation);
   deform.method = SINEW_POSE_VOLUME;
   deform.cells = 16;
@@ -282,6 +285,9 @@ TEST_F(CharacterC, TellsHowAMotionFits) {
             static_cast<std::ptrdiff_t>(result.source_count));
   pin.target = 9999;
   EXPECT_EQ(sinew_character_animate(robed.get(), swing.get(), &options, &result), SINEW_ERROR_RANGE);
+  options.pin_count = 0;
+  options.arm_spread = 91;
+  EXPECT_EQ(sinew_character_animate(robed.get(), swing.get(), &options, &result), SINEW_ERROR_ARGUMENT);
 }
 
 TEST_F(CharacterC, AnimatesByAFileAndAPartOfIt) {

@@ -250,6 +250,37 @@ TEST_F(CliAnimate, InPlaceIsTheSameMotionWithoutItsTravel) {
   }
 }
 
+TEST_F(CliAnimate, ArmSpreadLiftsBothArms) {
+  for (const std::string method : {"contacts", "stream", "copy", "reference-points"}) {
+    const std::string words = "animate " + kData + "/biped__robed.obj --motion builtin:walk --method " + method;
+    double widths[3] = {};
+    const char* const spreads[] = {"", " --arm-spread 25", " --arm-spread -10"};
+    for (int i = 0; i < 3; ++i) {
+      good(words + spreads[i] + " -o walks.glb");
+      const Motion walks = read_gltf_motion(in("walks.glb"));
+      for (const MotionFrame& frame : walks.clips[0].frames) {
+        const WorldPose pose = world_pose(walks, frame);
+        Point3 elbows[2] = {};
+        for (size_t j = 0; j < walks.joints.size(); ++j) {
+          if (walks.joints[j].name == "forearm.L") elbows[0] = pose.positions[j];
+          if (walks.joints[j].name == "forearm.R") elbows[1] = pose.positions[j];
+        }
+        widths[i] += length(elbows[0] - elbows[1]);
+      }
+    }
+    EXPECT_GT(widths[1], 1.15 * widths[0]) << method;
+    EXPECT_LT(widths[2], widths[0]) << method;
+  }
+  EXPECT_NE(good("animate " + kSnake + " --motion builtin:swim --force --arm-spread 20 -o swims.glb")
+                .out.find("the arm spread has no effect"),
+            std::string::npos);
+  for (const std::string degrees : {"91", "-90.5", "wide"})
+    EXPECT_NE(bad(2, "animate hero.glb --motion builtin:walk --arm-spread " + degrees + " -o moved.glb")
+                  .error.find("--arm-spread"),
+              std::string::npos)
+        << degrees;
+}
+
 TEST_F(CliAnimate, AReportSaysWhatWasMendedLimbByLimb) {
   make_clip("swing");
   Character hero = read_character(kData + "/biped__robed.obj"), broad = hero;

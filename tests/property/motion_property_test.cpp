@@ -48,6 +48,7 @@ TEST(MotionProperty, RandomRigsGiveFinitePosesOfTheirOwnBones) {
     source.up = static_cast<uint32_t>(random()) % 4;
     target.up = static_cast<uint32_t>(random()) % 4;
     settings.in_place = static_cast<uint32_t>(random()) % 2;
+    settings.arm_spread = static_cast<float>(random() % 181) - 90;
     const auto size_of = [](const MotionScene& scene) {
       float most = 0;
       for (const float x : scene.positions) most = std::max(most, std::abs(x));

@@ -61,13 +61,14 @@ struct PlayedClip {
   sinew::Workspace memory;
   sinew_retarget* plan = nullptr;
 
-  PlayedClip(const MotionScene& s, const MotionScene& t) : source(s), target(t) {
+  PlayedClip(const MotionScene& s, const MotionScene& t, const sinew::RetargetSettings& settings = {})
+      : source(s), target(t) {
     const sinew_skeleton from = s.view(), to = t.view();
     size_t bytes = 0;
     EXPECT_EQ(sinew_retarget_create_workspace_size(s.count(), t.count(), &bytes), SINEW_OK);
     memory = sinew::Workspace(bytes);
-    EXPECT_EQ(sinew_retarget_create(&from, &to, one_to_one(t.count()).data(), t.classes.data(), nullptr, memory.data(),
-                                    memory.size(), &plan),
+    EXPECT_EQ(sinew_retarget_create(&from, &to, one_to_one(t.count()).data(), t.classes.data(), &settings,
+                                    memory.data(), memory.size(), &plan),
               SINEW_OK);
     EXPECT_EQ(sinew_retarget_ground(plan, nullptr, 0, &ground), SINEW_OK);
   }

@@ -451,7 +451,8 @@ typedef struct sinew_character_animate_options {
   const char* limits;
   /* 1: simulates the character's springs (hair, tails, ears, skirts) in the clips, see sinew_character_springs(). */
   uint32_t springs;
-  uint32_t reserved;
+  /* Degrees, -90..90, by which both arms are lifted away from the body, as in sinew_retarget_options. */
+  float arm_spread;
 } sinew_character_animate_options;
 
 typedef struct sinew_character_animate_result {

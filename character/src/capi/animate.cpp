@@ -22,6 +22,7 @@ AnimateOptions job_of(const sinew_character_animate_options& options, const sine
   if (!std::isfinite(source.fps + source.from + source.to) || source.fps < 0 || source.from < 0 || source.to < 0 ||
       (source.to != 0 && source.to < source.from))
     throw Failure(SINEW_ERROR_ARGUMENT, "fps, from, to: expected 0 or more, with to after from");
+  if (!(std::abs(options.arm_spread) <= 90.0f)) throw Failure(SINEW_ERROR_ARGUMENT, "arm_spread: expected -90 to 90");
   AnimateOptions job;
   job.character = file_of(character);
   job.up = maybe_axis(options.target_up);
@@ -34,6 +35,7 @@ AnimateOptions job_of(const sinew_character_animate_options& options, const sine
   job.pins.assign(options.pins, options.pins + options.pin_count);
   job.limits = text_or_empty(options.limits);
   job.in_place = options.in_place != 0;
+  job.arm_spread = static_cast<double>(options.arm_spread);
   job.range = options.without == 0;
   job.report = options.report != 0;
   job.force = options.force != 0;

@@ -95,6 +95,16 @@ void refuse_misfit(const AnimateOptions& s, const MotionInput& input, const Moti
   notes->push_back("warning: " + what + "move; the rest keeps its pose");
 }
 
+// Upper arms and forearms have sources.
+bool has_arms(const MotionMap& map, const std::vector<uint8_t>& classes) {
+  const auto moves = [&](sinew_joint_class wanted) {
+    for (size_t t = 0; t < classes.size(); ++t)
+      if (classes[t] == wanted && map.sources[t] >= 0) return true;
+    return false;
+  };
+  return moves(SINEW_CLASS_UPPER_ARM) && moves(SINEW_CLASS_FOREARM);
+}
+
 // Parts of the body that do not move as they should, and parts that do not move.
 void tell_parts(const std::string& file, const MapCover& cover, std::vector<std::string>* notes) {
   std::string text;
@@ -154,8 +164,12 @@ void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsO
                                                               : SINEW_RETARGET_AUTO;
   settings.in_place = s.in_place ? 1 : 0;
   settings.translations = s.translations ? 1 : 0;
-  Retargeter retargeter(source, out->character.joints, map.sources, motion_classes(target, from, s.up, map.sources),
-                        settings, {engine_up(s.motion_up), engine_up(s.up)});
+  settings.arm_spread = static_cast<float>(s.arm_spread);
+  const std::vector<uint8_t> classes = motion_classes(target, from, s.up, map.sources);
+  if (s.arm_spread != 0 && !has_arms(map, classes))
+    out->motion.notes.push_back(choice.file + ": moves no arms of the character, so the arm spread has no effect");
+  Retargeter retargeter(source, out->character.joints, map.sources, classes, settings,
+                        {engine_up(s.motion_up), engine_up(s.up)});
   set_method(s, choice.file, body, out, &retargeter);
   if (!s.limits.empty()) retargeter.keep_limits(joint_limits(s.limits, target, s.up));
   const size_t mapped = moved_joints(map);

@@ -37,6 +37,9 @@ typedef struct sinew_retarget_options {
   float scale;           /* target length per source length; 0 = from the legs, or without legs from all mapped bones */
   uint32_t translations; /* 1: bones of the torso, arms and legs stretch like the source's. Between rigs with equal rest
                      * poses they always do */
+  float arm_spread; /* degrees, -90..90, by which both arms rotate at the shoulders, in every frame, away from the plane
+                     * between left and right, or towards it if below 0; fades to none for an arm that points sideways.
+                     * 0 = as in the source. Contacts are kept afterwards */
 } sinew_retarget_options;
 
 /* A plan in the caller's memory. It holds pointers into that memory, which must not be moved. */

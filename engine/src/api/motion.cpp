@@ -15,7 +15,7 @@
 #include "sinew/motion_clips.h"
 #include "sinew/published.h"
 
-static_assert(sizeof(sinew_retarget_options) == 5 * sizeof(uint32_t), "a hole in sinew_retarget_options");
+static_assert(sizeof(sinew_retarget_options) == 6 * sizeof(uint32_t), "a hole in sinew_retarget_options");
 static_assert(sizeof(sinew_floor) == 6 * sizeof(uint32_t) + sizeof(void*), "sinew_floor never changes");
 static_assert(sizeof(sinew_retarget_stream_options) == 6 * sizeof(uint32_t) + 2 * sizeof(void*),
               "a hole in sinew_retarget_stream_options");

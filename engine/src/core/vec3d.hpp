@@ -20,6 +20,21 @@ inline double ramp(double x, double from, double to) {
   return share <= 0 ? 0 : share >= 1 ? 1 : share * share * (3 - 2 * share);
 }
 
+// cos and sin of -180..180 degrees by their series, of half the angle: the last term is below the last bit.
+SINEW_ONCE inline void cosine_and_sine(double degrees, double* cosine, double* sine) {
+  constexpr double kHalfDegree = 0.00872664625997165;  // pi / 360
+  const double x = kHalfDegree * degrees, square = x * x;
+  double c = 1, s = x, cosine_term = 1, sine_term = x;
+  for (int k = 1; k < 13; ++k) {
+    cosine_term = -cosine_term * square / static_cast<double>((2 * k - 1) * (2 * k));
+    sine_term = -sine_term * square / static_cast<double>((2 * k) * (2 * k + 1));
+    c += cosine_term;
+    s += sine_term;
+  }
+  *cosine = c * c - s * s;
+  *sine = 2 * c * s;
+}
+
 struct Vec3d {
   double x = 0, y = 0, z = 0;
 };

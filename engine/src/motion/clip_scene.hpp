@@ -56,8 +56,10 @@ struct ClipScene {
   // Returns SINEW_OK, or SINEW_ERROR_NOT_FINITE for a frame of either rig, with nothing written to the clip.
   sinew_status open(sinew_retarget* own_plan, const sinew_motion_body* source_body,
                     const sinew_motion_body& target_body, const ClipInputs& inputs);
-  // The motion comes from this very rig and body: nothing is left to be mended.
+  // The motion comes from this very rig and body.
   bool is_same_body() const;
+  // The same body, and arms that were not spread: every contact is as in the source.
+  bool has_all_contacts() const { return is_same_body() && plan->arm_spread == 0; }
 
   // How far a point of the target's world is over its floor, which is level with the lowest vertex at rest where there is no grid.
   double over_floor(Vec3d p) const { return dot(plan->up, p) - target.lowest - in->floor.height(plan->up, p); }

@@ -46,7 +46,7 @@ sinew_status run_contacts(sinew_retarget* plan, const sinew_motion_body* source,
     return SINEW_ERROR_WORKSPACE;
   }
   const sinew_status status = scene.open(plan, source, target, inputs);
-  if (status != SINEW_OK || scene.is_same_body()) return status;
+  if (status != SINEW_OK || scene.has_all_contacts()) return status;
   for (uint32_t l = 0; l < scene.limbs.count; ++l) scene.limbs.limbs[l].natural = true;
   scene.floor_patches.open(&scene);
   FloorContacts(&scene, nullptr).run();

@@ -153,6 +153,58 @@ void offset_target(sinew_retarget* plan) {
   for (uint32_t t = 0; t < rig.count; ++t) plan->target_positions[t] = plan->target_positions[t] + back;
 }
 
+// A joint at which an arm begins.
+bool is_shoulder(const sinew_retarget& plan, uint32_t t) {
+  return plan.classes[t] == SINEW_CLASS_UPPER_ARM && plan.long_ends[t] >= 0;
+}
+
+// The topmost shoulder at or above a joint, or -1. What is carried belongs to its carrier's arm.
+int32_t shoulder_of(const sinew_retarget& plan, uint32_t t) {
+  int32_t at = static_cast<int32_t>(t), found = -1;
+  for (int32_t up = at; up >= 0; up = plan.target.parents[up]) {
+    if (plan.carriers[up] < 0) continue;
+    at = plan.carriers[up];
+    break;
+  }
+  for (; at >= 0; at = plan.target.parents[at]) {
+    if (is_shoulder(plan, static_cast<uint32_t>(at))) found = at;
+  }
+  return found;
+}
+
+// Rotates each arm at its shoulder, away from the plane between left and right that the shoulder's parent carries along.
+// The angle is whole where the upper arm lies in that plane, and fades to none where it points sideways: a constant
+// rotation about the body's front would bring raised arms into the head.
+void spread_arms(sinew_retarget* plan) {
+  const MotionRig& rig = plan->target;
+  Vec3d middle = {0, 0, 0}, anchors = {0, 0, 0};  // of all shoulders at rest
+  double count = 0;
+  for (uint32_t t = 0; t < rig.count; ++t) {
+    if (!is_shoulder(*plan, t)) continue;
+    middle = middle + rig.positions[t];
+    count += 1;
+  }
+  for (uint32_t i = 0; i < plan->anchor_count; ++i) anchors = anchors + rig.positions[plan->anchors[i]];
+  middle = count > 1 ? (1 / count) * middle : (1.0 / plan->anchor_count) * anchors;
+  for (uint32_t s = 0; s < rig.count; ++s) {
+    if (!is_shoulder(*plan, s) || shoulder_of(*plan, s) != static_cast<int32_t>(s)) continue;
+    const int32_t parent = rig.parents[s];
+    const Quat carried = parent < 0 ? kNoRotation : plan->target_rotations[parent];
+    const Vec3d outward = rotate(carried, unit(without_height(rig.positions[s] - middle, plan->up)));
+    const Vec3d pivot = plan->target_positions[s];
+    const Vec3d across = cross(unit(plan->target_positions[plan->long_ends[s]] - pivot), outward);
+    double cosine, sine;
+    cosine_and_sine(0.5 * plan->arm_spread * length(across), &cosine, &sine);
+    const Vec3d axis = sine * unit(across);
+    const Quat rotation = {axis.x, axis.y, axis.z, cosine};
+    for (uint32_t t = 0; t < rig.count; ++t) {
+      if (shoulder_of(*plan, t) != static_cast<int32_t>(s)) continue;
+      plan->target_rotations[t] = rotation * plan->target_rotations[t];
+      plan->target_positions[t] = pivot + rotate(rotation, plan->target_positions[t] - pivot);
+    }
+  }
+}
+
 }  // namespace
 
 sinew_status pose_source(sinew_retarget* plan, const float* rotations, const float* translations) {
@@ -306,6 +358,7 @@ sinew_status retarget_frame(sinew_retarget* plan, const float* rotations, const 
   } else {
     pose_target(plan, height);
   }
+  if (plan->arm_spread != 0) spread_arms(plan);
   store_target(*plan, out_rotations, out_translations);
   return SINEW_OK;
 }

@@ -288,9 +288,9 @@ sinew_status read_retarget_options(const sinew_retarget_options* options, Retarg
   sinew_retarget_options o = SINEW_INIT(sinew_retarget_options);
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptionsSize, sizeof o, &o);
   if (status != SINEW_OK) return status;
-  const double scale = static_cast<double>(o.scale);
+  const double scale = static_cast<double>(o.scale), arm_spread = static_cast<double>(o.arm_spread);
   if (o.method > SINEW_RETARGET_NODE_OFFSETS || o.in_place > 1 || o.translations > 1 || !is_finite(scale) ||
-      scale < 0) {
+      scale < 0 || !(absolute(arm_spread) <= 90)) {
     return SINEW_ERROR_ARGUMENT;
   }
   *out = RetargetOptions();
@@ -298,6 +298,7 @@ sinew_status read_retarget_options(const sinew_retarget_options* options, Retarg
   out->in_place = o.in_place != 0;
   out->translations = o.translations != 0;
   out->scale = scale;
+  out->arm_spread = arm_spread;
   return SINEW_OK;
 }
 
@@ -361,6 +362,7 @@ sinew_status create_plan(const sinew_skeleton& source, const sinew_skeleton& tar
   made.node_offsets = options.node_offsets;
   made.in_place = options.in_place;
   made.translations = options.translations;
+  made.arm_spread = options.arm_spread;
   RetargetOptions with_up = options;
   with_up.source_up = source.up;
   with_up.target_up = target.up;

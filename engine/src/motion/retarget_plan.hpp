@@ -30,6 +30,7 @@ struct sinew_retarget {
   double source_lowest = 0;  // of all its joints
   double leg_length = 0;     // of the source; without legs its extent
   double target_floor = 0;   // height of the floor joints at rest
+  double arm_spread = 0;     // degrees
   bool node_offsets = false;
   bool in_place = false;
   bool translations = false;
@@ -46,7 +47,7 @@ namespace sinew::motion {
 // The options of the interface, checked.
 struct RetargetOptions {
   bool node_offsets = false, in_place = false, translations = false;
-  double scale = 0;
+  double scale = 0, arm_spread = 0;
   uint32_t source_up = SINEW_UP_AUTO, target_up = SINEW_UP_AUTO;  // create_plan() takes them from the skeletons
 };
 // Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_VERSION.

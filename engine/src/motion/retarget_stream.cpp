@@ -127,7 +127,7 @@ sinew_status create_stream(const sinew_skeleton& source, const sinew_skeleton& t
   sinew_retarget_stream& own = *room.stream;
   // Without a frame nothing can fail.
   (void)own.scene.open(own.plan, options.source == nullptr ? nullptr : &own.source, own.body, own.inputs);
-  own.contacts = options.contacts && !own.scene.is_same_body();
+  own.contacts = options.contacts && !own.scene.has_all_contacts();
   own.has_hands = own.contacts && own.body.triangle_count > 0;
   own.scene.floor_patches.open(&own.scene);
   find_hinges(own.scene, own.memory.hinges);

@@ -394,7 +394,7 @@ sinew_status run_reference_points(sinew_retarget* plan, const sinew_motion_body*
     return SINEW_ERROR_WORKSPACE;
   if (target.vertex_count == 0) return SINEW_OK;  // no two mapped joints: nothing to look at
   const sinew_status status = scene.open(plan, &source, target, inputs);
-  if (status != SINEW_OK || scene.is_same_body() || target.triangle_count == 0) return status;
+  if (status != SINEW_OK || scene.has_all_contacts() || target.triangle_count == 0) return status;
   ReferenceOptions own = options;
   own.outwards = source_body == nullptr && !own.as_drawn;
   return ReferencePoints(own, &scene).run();

@@ -19,21 +19,6 @@ Vec3d vector_of(const float (&v)[3]) {
   return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
-// cos and sin of 0..180 degrees by their series, of half the angle: the last term is below the last bit.
-void cosine_and_sine(double degrees, double* cosine, double* sine) {
-  constexpr double kHalfDegree = 0.00872664625997165;  // pi / 360
-  const double x = kHalfDegree * degrees, square = x * x;
-  double c = 1, s = x, cosine_term = 1, sine_term = x;
-  for (int k = 1; k < 13; ++k) {
-    cosine_term = -cosine_term * square / static_cast<double>((2 * k - 1) * (2 * k));
-    sine_term = -sine_term * square / static_cast<double>((2 * k) * (2 * k + 1));
-    c += cosine_term;
-    s += sine_term;
-  }
-  *cosine = c * c - s * s;
-  *sine = 2 * c * s;
-}
-
 sinew_status read_head(const sinew_spring_joint& in, SpringHead* out) {
   const double values[] = {static_cast<double>(in.hit_radius), static_cast<double>(in.stiffness),
                            static_cast<double>(in.gravity_power), static_cast<double>(in.drag),

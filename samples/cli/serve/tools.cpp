@@ -119,6 +119,8 @@ Tool animate_tool() {
                   output_argument(extensions_text(kWritesWhole) + "; one clip only: " + extensions_text(kWritesMotion)),
                   {"map", "--map", Value::kInput, "Joint map: lines TARGET_JOINT SOURCE_JOINT"},
                   {"in_place", "--in-place", Value::kFlag, "Keep the character above its rest position"},
+                  {"arm_spread", "--arm-spread", Value::kNumber,
+                   "Degrees, -90 to 90, by which both arms are lifted away from the body"},
                   {"springs", "--springs", Value::kFlag, "Simulate hair, tails, ears and skirts"},
                   {"force", "--force", Value::kFlag, "Play a motion that does not fit the character"},
                   controls_argument(),

@@ -174,6 +174,7 @@ export class Skin extends Binder {
     const settings = blocks.struct("retargetOptions", {
       in_place: options.inPlace ? 1 : 0,
       scale: options.scale,
+      arm_spread: options.armSpread,
     });
     const rigs = [[from, source, "source"], [to, target, "target"]].map(([s, rig, name]) =>
       blocks.struct("skeleton", {

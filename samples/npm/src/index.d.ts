@@ -194,6 +194,8 @@ export interface RetargetOptions {
   inPlace?: boolean;
   /** target length per source length */
   scale?: number;
+  /** degrees, -90..90, by which both arms are lifted away from the body, or brought nearer if below 0 */
+  armSpread?: number;
 }
 
 /** Local rotations [frames x J x 4] x y z w and translations [frames x J x 3], in the parents' axes, the world's for roots. */

@@ -141,6 +141,8 @@ export interface RetargetOptions {
   limits?: string;
   /** simulates the character's springs (hair, tails, ears, skirts) in the clips, see springs() */
   springs?: boolean;
+  /** degrees, -90..90, by which both arms are lifted away from the body, as in sinew_retarget_options */
+  armSpread?: number;
   /** of the motion; auto: found */
   motionUp?: "auto" | "x" | "y" | "z";
   /** layout of keypoints (.npy, .npz): "smpl24", ...; null: chosen by the number of keypoints */

@@ -58,7 +58,7 @@ export const LAYOUTS = {
   mapOutputs: layout(32,
     "struct_size@0:u32 method@4:u32 sources@8:u32 confidence@12:u32 reasons@16:u32 mapped@20:u32 certainty@24:u32 " +
     "used_bytes@28:u32"),
-  retargetOptions: layout(20, "struct_size@0:u32 method@4:u32 in_place@8:u32 scale@12:f32 translations@16:u32"),
+  retargetOptions: layout(24, "struct_size@0:u32 method@4:u32 in_place@8:u32 scale@12:f32 translations@16:u32 arm_spread@20:f32"),
   motionBody: layout(32,
     "positions@0:u32 triangles@4:u32 joint_indices@8:u32 weights@12:u32 influence_count@16:u32 weight_format@20:u32 " +
     "vertex_count@24:u32 triangle_count@28:u32"),
@@ -169,7 +169,7 @@ export const LAYOUTS = {
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 motion@20:u32 deform@24:u32 " +
     "reference@28:u32 method@32:u32 without@36:u32 in_place@40:u32 target_up@44:u32 shapes@48:u32 report@52:u32 force@56:u32 " +
     "translations@60:u32 depth@64:u32 pin_count@68:u32 pins@72:u32 map@76:u32 sources@80:u32 limits@84:u32 springs@88:u32 " +
-    "reserved@92:u32"),
+    "arm_spread@92:f32"),
   characterAnimateResult: layout(80,
     "struct_size@0:u32 clip_count@4:u32 first_clip@8:u32 mapped@12:u32 rigged@16:u32 shape_count@20:u32 certainty@24:f32 " +
     "limb_count@28:u32 limbs_before@32:u32 limbs_after@36:u32 mapped_by@40:u32 sources@44:u32 reasons@48:u32 " +

@@ -215,7 +215,7 @@ function rootsToParents(bones, parents, { rotations, translations, frameCount })
  * @param {AnimationClip} clip of the source's bones
  * @param {Bone[] | Skeleton} source
  * @param {Bone[] | Skeleton} target bones without nodes that are scaled or turned between them
- * @param {{fps?: number, map?: Int32Array, body?: object, inPlace?: boolean}} options as retarget() and clip() have them; fps: 30
+ * @param {{fps?: number, map?: Int32Array, body?: object, inPlace?: boolean, armSpread?: number}} options as retarget() and clip() have them; fps: 30
  */
 export function retargetClip(skin, clip, source, target, options = {}) {
   const fps = options.fps ?? 30;

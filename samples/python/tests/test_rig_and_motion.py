@@ -107,6 +107,12 @@ class Retarget(unittest.TestCase):
         self.assertEqual(found.rotations.shape, (20, len(self.target.skeleton), 4))
         still = sinew.retarget(self.clip, self.source.skeleton, self.target.skeleton, in_place=True)
         self.assertLess(np.ptp(still.translations[:, 0, 2]), 1e-4)
+        spread = sinew.retarget(self.clip, self.source.skeleton, self.target.skeleton, arm_spread=20)
+        arms = [self.target.skeleton.index(f"upper_arm.{side}") for side in "LR"]
+        copied = sinew.retarget(self.clip, self.source.skeleton, self.target.skeleton)
+        changed = np.abs(spread.rotations - copied.rotations).max(axis=(0, 2))
+        self.assertGreater(changed[arms].min(), 0.05)
+        self.assertLess(np.delete(changed, arms).max(), 1e-5)
         with self.assertRaises(sinew.Cancelled):
             sinew.retarget(self.clip, self.source.skeleton, self.target.skeleton, progress=lambda share: share > 0.5)
         with self.assertRaisesRegex(ValueError, "target_body"):

@@ -3,7 +3,7 @@
 // The worker fetches this after the first bind. The session's character is copied for each job; page-only calls of the module are web_NAME().
 import { CharacterFile, CharacterModule } from "@sinew/skin/character";
 
-/** @typedef {{ up: number, own: boolean, picture: boolean, method: number, pins: number[][][], inPlace?: boolean }} MotionWish */
+/** @typedef {{ up: number, own: boolean, picture: boolean, method: number, pins: number[][][], inPlace?: boolean, armSpread?: number }} MotionWish */
 /** @typedef {import("../../npm/src/jobs.js").AnimateResult} AnimateResult */
 /** @typedef {{ at: number, character: CharacterFile }} Handle */
 /** @typedef {import("./types.js").SpringWish} SpringWish */
@@ -225,7 +225,7 @@ export class Handles {
       const results = sources.map(({ character: motion }, f) => {
         const before = character.notes.length;
         const pins = (wish.pins[f] ?? []).map(([target, source]) => ({ target, source }));
-        const made = character.retarget(motion, { method: wish.picture && method === 0 ? "auto" : methods[method], targetUp: ups[wish.up], pins, inPlace: wish.inPlace ?? false, report: true, force: true });
+        const made = character.retarget(motion, { method: wish.picture && method === 0 ? "auto" : methods[method], targetUp: ups[wish.up], pins, inPlace: wish.inPlace ?? false, armSpread: wish.armSpread ?? 0, report: true, force: true });
         return { made, notes: character.notes.slice(before).filter((/** @type {string} */ note) => !note.startsWith("checked: ")) };
       });
       /** @type {any[]} */

@@ -177,7 +177,8 @@ function listenForPoses() {
     at.view.frameClip(at.player.motion.clips[clip].room, at.character.upAxis);
   };
   at.motions.clips.onRemove = (file) => changeMotion(`remove ${file}`, () => at.motions.remove(file));
-  at.motions.methods.onInPlace = (inPlace) => changeMotion(inPlace ? "stay in place" : "travel", () => at.motions.stayInPlace(inPlace));
+  at.motions.methods.onInPlace = (inPlace) => changeMotion(inPlace ? "stay in place" : "travel", () => at.motions.retargetWith({ inPlace }));
+  at.motions.methods.onArmSpread = (armSpread) => changeMotion("arm spread", () => at.motions.retargetWith({ armSpread }));
   at.motions.methods.onMethod = (method) => changeMotion("method of retargeting", () => at.motions.useMethod(method));
   at.motions.methods.onSpots = poseChanged;
   at.motions.map.onPins = (pins) => changeMotion("map", () => at.motions.usePins(pins));

@@ -43,16 +43,28 @@ export class MethodPanel {
   /** @type {(...of: any[]) => any} */
   onInPlace = () => {}; // boolean
   /** @type {(...of: any[]) => any} */
+  onArmSpread = () => {}; // degrees
+  /** @type {(...of: any[]) => any} */
   onSpots = () => {};
 
   constructor() {
     $("motion-method").onchange = ({ target }) => this.onMethod(Number(target.value));
     $("in-place").onchange = () => this.onInPlace($("in-place").checked);
+    const slider = $("arm-spread");
+    slider.oninput = () => this.#sayArmSpread();
+    slider.onchange = () => this.onArmSpread(Number(slider.value));
+    slider.ondblclick = () => this.onArmSpread(0);
     $("show-spots").onchange = () => this.onSpots();
   }
 
   get spotsShown() {
     return $("show-spots").checked;
+  }
+
+  #sayArmSpread() {
+    const slider = $("arm-spread");
+    slider.nextElementSibling.textContent = `${slider.value}°`;
+    slider.setAttribute("aria-valuetext", `${slider.value} degrees`);
   }
 
   // The next method.
@@ -63,13 +75,16 @@ export class MethodPanel {
     this.onMethod(Number(inputs[(at + 1) % inputs.length].value));
   }
 
-  // motion: as MotionPlayer has it, with {own, method}, or null; clip: the one that plays.
+  // motion: as MotionPlayer has it, with {own, method, inPlace, armSpread}, or null; clip: the one that plays.
   show(motion, clip) {
     $("methods").hidden = !motion;
     if (!motion) return;
     $("motion-method").hidden = motion.own; // its file's own frames are as they are
     $("in-place-choice").hidden = motion.own;
     $("in-place").checked = motion.inPlace;
+    $("arm-spread-choice").hidden = motion.own;
+    $("arm-spread").value = String(motion.armSpread);
+    this.#sayArmSpread();
     for (const input of all("#motion-method input")) input.checked = Number(input.value) === motion.method;
     const { notes } = motion.files[motion.clips[clip].file];
     $("motion-report").textContent = [clipText(motion.clips[clip]), ...notes].filter(Boolean).map(sentenceOf).join(" ");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The motions that a character plays: opened by the module, by the method and the maps that the user has chosen, and retargeted again when the
-// character has changed. What was chosen is the character's source.motion: {files, method, pins: {file: {joint's name: joint of the file or -1}}}.
+// character has changed. What was chosen is the character's source.motion, see Motion in types.d.ts.
 import { ClipList } from "./clip_list.js";
 import { whileBusy } from "./jobs.js";
 import { MapPanel } from "./map_panel.js";
@@ -26,16 +26,16 @@ export class Motions {
   }
 
   // Files that the module has, or builtin:NAME: their clips are the character's from now on.
-  async open(files, { method = motionMethods.contacts, pins = {}, inPlace = false } = {}) {
+  async open(files, { method = motionMethods.contacts, pins = {}, inPlace = false, armSpread = 0 } = {}) {
     const character = this.#current();
     if (!character?.result) throw new Error(`${files[0]} is a motion: open a character first`);
     const { source, joints, up, picture } = character;
     const own = files.length === 1 && files[0] === source.mesh;
     const known = files.map((file) => new Map(joints.flatMap((joint, j) => (joint.name in (pins[file] ?? {}) ? [[j, pins[file][joint.name]]] : []))));
-    const wish = { up, own, picture: Boolean(picture), method, inPlace, pins: known.map((one) => [...one]) };
+    const wish = { up, own, picture: Boolean(picture), method, inPlace, armSpread, pins: known.map((one) => [...one]) };
     const motion = await whileBusy("Retargeting the motion", () => this.#engine.call("motion", { names: files, wish }));
-    source.motion = { files, method, pins, inPlace };
-    this.#show({ own, method, inPlace, pins: known, ...motion });
+    source.motion = { files, method, pins, inPlace, armSpread };
+    this.#show({ own, method, inPlace, armSpread, pins: known, ...motion });
     await at.springs.again();
   }
 
@@ -45,7 +45,7 @@ export class Motions {
     const before = this.player.motion?.own ? null : source?.motion;
     const more = files.filter((file) => !before?.files.includes(file));
     const again = files.filter((file) => !more.includes(file)); // dropped once more: read anew
-    await this.open([...(before?.files ?? []), ...more], { method: before?.method, pins: before?.pins, inPlace: before?.inPlace });
+    await this.open([...(before?.files ?? []), ...more], before ?? {});
     const first = this.player.motion.files.findIndex(({ file }) => file === (more[0] ?? again[0]));
     this.player.choose(this.player.motion.clips.findIndex(({ file }) => file === first));
   }
@@ -88,11 +88,11 @@ export class Motions {
     }
   }
 
-  // The same motions with their travel, or without.
-  async stayInPlace(inPlace) {
+  // The same motions with another option of their retargeting: {inPlace} or {armSpread}.
+  async retargetWith(option) {
     const { source } = this.#current();
     try {
-      await this.open(source.motion.files, { ...source.motion, inPlace });
+      await this.open(source.motion.files, { ...source.motion, ...option });
     } finally {
       this.#show(this.player.motion);
     }

@@ -60,8 +60,9 @@ export interface Answer {
 export interface Motion {
   files: string[];
   method: number;
-  pins: Record<string, Record<string, number>>;
+  pins: Record<string, Record<string, number>>; // of each file, joint's name -> joint of the file, or -1
   inPlace?: boolean;
+  armSpread?: number; // degrees
 }
 
 /** Of what swings: which chains, by name, and how much of what was found for them. */

@@ -34,6 +34,7 @@ struct AnimateOptions {
   std::string limits;  // of joint_limits(), or empty
   bool in_place = false, range = true, report = false;
   bool translations = false;  // bones of the body stretch like the source's
+  double arm_spread = 0;      // degrees, -90..90, as in sinew_retarget_options
   bool force = false;         // plays a motion whose map covers less than kLeastCover, with a note; otherwise an Error
   double fps = 0, from = 0, to = 1e9;  // seconds
   sinew_reference_options reference = SINEW_INIT(sinew_reference_options);

@@ -242,7 +242,8 @@ class sinew_map_outputs(Structure):
 
 
 class sinew_retarget_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("in_place", c_uint32), ("scale", c_float), ("translations", c_uint32)]
+    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("in_place", c_uint32), ("scale", c_float), ("translations", c_uint32),
+        ("arm_spread", c_float)]
 
 
 class sinew_motion_body(Structure):
@@ -492,7 +493,7 @@ class sinew_character_animate_options(Structure):
         ("deform", POINTER(sinew_character_deformation)), ("reference", POINTER(sinew_reference_options)), ("method", c_uint32),
         ("without", c_uint32), ("in_place", c_uint32), ("target_up", c_uint32), ("shapes", c_uint32), ("report", c_uint32),
         ("force", c_uint32), ("translations", c_uint32), ("depth", c_uint32), ("pin_count", c_uint32), ("pins", POINTER(sinew_map_pin)),
-        ("map", c_char_p), ("sources", c_void_p), ("limits", c_char_p), ("springs", c_uint32), ("reserved", c_uint32)]
+        ("map", c_char_p), ("sources", c_void_p), ("limits", c_char_p), ("springs", c_uint32), ("arm_spread", c_float)]
 
 
 class sinew_character_animate_result(Structure):

@@ -126,13 +126,13 @@ class Jobs:
     def retarget(self, motion: Source = None, *, method: declarations.AnimateMethod = "auto", natural_range: bool = True,
                  in_place: bool = False, target_up: declarations.Up = "auto", shapes: int = 0, report: bool = False, force: bool = False,
                  translations: bool = False, depth: bool = False, pins: Sequence[Tuple[int, int]] = (), map_file: Text = None,
-                 joint_map: Any = None, limits: Text = None, springs: bool = False, motion_up: declarations.Up = "auto",
-                 layout: Text = None, actor: Text = None, clip: Text = None, fps: float = 0, start: float = 0, end: float = 0,
-                 correct: Correction = "none", cells: int = 0, rounds: int = 0, body_contact: bool = False,
-                 tet_weights: declarations.TetWeights = "skin", smoothing: bool = True, deform_as_drawn: bool = False, stiffness: float = 0,
-                 area_power: int = 0, own_limb: bool = False, legs: bool = False, falloff: float = 0, head: bool = False,
-                 torso: bool = False, source_points: bool = False, as_drawn: bool = False, model: ModelFile = None,
-                 hands_model: ModelFile = None, front_model: ModelFile = None, threads: int = 1,
+                 joint_map: Any = None, limits: Text = None, springs: bool = False, arm_spread: float = 0,
+                 motion_up: declarations.Up = "auto", layout: Text = None, actor: Text = None, clip: Text = None, fps: float = 0,
+                 start: float = 0, end: float = 0, correct: Correction = "none", cells: int = 0, rounds: int = 0,
+                 body_contact: bool = False, tet_weights: declarations.TetWeights = "skin", smoothing: bool = True,
+                 deform_as_drawn: bool = False, stiffness: float = 0, area_power: int = 0, own_limb: bool = False, legs: bool = False,
+                 falloff: float = 0, head: bool = False, torso: bool = False, source_points: bool = False, as_drawn: bool = False,
+                 model: ModelFile = None, hands_model: ModelFile = None, front_model: ModelFile = None, threads: int = 1,
                  progress: ProgressFunction = None) -> AnimateResult:
         """Adds clips of another skeleton to a bound character, which are saved with it. A bare mesh is rigged first.
 
@@ -150,6 +150,7 @@ class Jobs:
         limits  rotation limits of joints, for every method: a .urdf, a file of formats/spec/limits.md, or "human"; None: only the
             natural range of knees and elbows
         springs  simulates the character's springs (hair, tails, ears, skirts) in the clips, see springs()
+        arm_spread  degrees, -90..90, by which both arms are lifted away from the body, as in sinew_retarget_options
         motion_up  of the motion; "auto": found
         layout  layout of keypoints (.npy, .npz): "smpl24", ...; None: chosen by the number of keypoints
         actor  actor of a file with several people, by name of the root or number; None: the first, if all have equal skeletons

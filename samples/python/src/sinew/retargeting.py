@@ -37,7 +37,7 @@ def joint_classes(skeleton: Skeleton, up: declarations.Up = "y", source: Optiona
 
 def retarget(clip: Clip, source: Skeleton, target: Skeleton, *, joint_map: Union[None, JointMap, Array] = None,
              method: RetargetMethod = "auto", in_place: bool = False, scale: float = 0.0, source_up: declarations.Up = "auto", target_up: declarations.Up = "auto",
-             source_body: Optional[Character] = None, target_body: Optional[Character] = None,
+             source_body: Optional[Character] = None, target_body: Optional[Character] = None, arm_spread: float = 0.0,
              progress: ProgressFunction = None) -> Clip:
     """Plays a clip of the source on the target. The same bytes on every machine.
 
@@ -49,6 +49,7 @@ def retarget(clip: Clip, source: Skeleton, target: Skeleton, *, joint_map: Union
     scale        target length per source length; 0: from the legs
     source_up, target_up  "x", "y", "z", or "auto": away from where the legs point
     target_body  the bound mesh of the target, for contacts of feet; with a source_body of the same vertices also of hands
+    arm_spread   degrees, -90 to 90, by which both arms are lifted away from the body, or brought nearer if below 0
     progress     called with the share of the work that is done; returns True to stop
     Returns a Clip of the target's joints. Raises ValueError, Error and Cancelled.
     """
@@ -57,7 +58,7 @@ def retarget(clip: Clip, source: Skeleton, target: Skeleton, *, joint_map: Union
     contacts = chosen(method, RETARGET_METHODS, "method") == 2 or (method == "auto" and target_body is not None)
     if contacts and target_body is None:
         raise ValueError("target_body: method='contacts' needs the bound mesh of the target")
-    sources, classes, views, options = _pair(source, target, joint_map, in_place, scale, source_up, target_up)
+    sources, classes, views, options = _pair(source, target, joint_map, in_place, scale, arm_spread, source_up, target_up)
     library = binding.library()
     memory = binding.block("sinew_retarget_create_workspace_size", "retarget", len(source), len(target))
     plan = ctypes.c_void_p()
@@ -85,15 +86,15 @@ def retarget(clip: Clip, source: Skeleton, target: Skeleton, *, joint_map: Union
     return out
 
 
-def _pair(source: Skeleton, target: Skeleton, joint_map: Any, in_place: bool, scale: float, source_up: declarations.Up,
-          target_up: declarations.Up) -> Any:
+def _pair(source: Skeleton, target: Skeleton, joint_map: Any, in_place: bool, scale: float, arm_spread: float,
+          source_up: declarations.Up, target_up: declarations.Up) -> Any:
     """What a plan is made of: sources, classes, views of the two skeletons, options."""
     if joint_map is None:
         joint_map = map_joints(target, source, target_up=target_up, source_up=source_up)
     sources = joint_map.sources if isinstance(joint_map, JointMap) else joint_map
     sources = whole(sources, (len(target),), "joint_map", np.int32, -1, len(source))
     options = binding.init(binding.sinew_retarget_options)
-    options.in_place, options.scale = int(bool(in_place)), scale
+    options.in_place, options.scale, options.arm_spread = int(bool(in_place)), scale, arm_spread
     views = [skeleton_view(source, None, chosen(source_up, declarations.UP, "source_up")),
              skeleton_view(target, None, chosen(target_up, declarations.UP, "target_up"))]
     for one, of in zip(views, (source, target)):
@@ -111,13 +112,14 @@ class RetargetStream:
     ground       height of a standing ankle of the source; None: the source's own at rest
     contacts     False: no contacts with the floor or the body
     keep_range   False: knees and elbows may leave their natural range
+    arm_spread   as in retarget()
     """
 
     def __init__(self, source: Skeleton, target: Skeleton, *, joint_map: Union[None, JointMap, Array] = None, in_place: bool = False,
                  scale: float = 0.0, source_up: declarations.Up = "auto", target_up: declarations.Up = "auto",
                  target_body: Optional[Character] = None, source_body: Optional[Character] = None, fps: float = 30.0, ground: Optional[float] = None, contacts: bool = True,
-                 keep_range: bool = True) -> None:
-        sources, classes, views, plan_options = _pair(source, target, joint_map, in_place, scale, source_up, target_up)
+                 keep_range: bool = True, arm_spread: float = 0.0) -> None:
+        sources, classes, views, plan_options = _pair(source, target, joint_map, in_place, scale, arm_spread, source_up, target_up)
         options = binding.init(binding.sinew_retarget_stream_options)
         options.fps, options.has_ground, options.ground = fps, int(ground is not None), ground or 0.0
         options.without = (0 if contacts else declarations.WITHOUT_CONTACTS) | (0 if keep_range else declarations.WITHOUT_RANGE)

@@ -91,6 +91,23 @@ TEST(Contacts, AHandThatTouchesTouches) {
   }
 }
 
+// A touch is the source's, so spread arms touch again, on the source's own body too.
+TEST(Contacts, AHandOfASpreadArmTouchesAgain) {
+  const MotionScene scene = body(20);
+  sinew::RetargetSettings spread;
+  spread.arm_spread = 25;
+  PlayedClip clip(scene, scene), lifted(scene, scene, spread);
+  for (PlayedClip* one : {&clip, &lifted}) reach_forward(one, {0.1, -0.8, 0.35});
+  const BoxBody box(scene, 0.12);
+  const Vec3d touching = clip.frame(6).positions[kLeftHand];
+  EXPECT_GT(distance(lifted.frame(6).positions[kLeftHand], touching), 0.1);
+  ASSERT_EQ(lifted.contacts(&box, box), SINEW_OK);
+  const Vec3d found = lifted.frame(6).positions[kLeftHand];
+  EXPECT_LT(distance(found, touching), 0.05) << "the size of a hand, which has rotated";
+  EXPECT_NEAR(found.z, touching.z, 0.005) << "on the belly";
+  EXPECT_GT(distance(lifted.frame(6).positions[kLeftForearm], clip.frame(6).positions[kLeftForearm]), 0.02);
+}
+
 // One that is far from its own body does not touch, but comes out of another.
 TEST(Contacts, AHandInsideOfTheBodyComesOut) {
   const MotionScene scene = body(20);

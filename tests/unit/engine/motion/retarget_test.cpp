@@ -181,6 +181,96 @@ TEST(Retarget, AMotionThatFacesAnotherWayIsTurned) {
   }
 }
 
+bool is_arm(uint32_t j) { return (j >= kLeftUpperArm && j <= kRightHand) || j == kLeftFinger; }
+
+RetargetSettings spread_by(double degrees) {
+  RetargetSettings settings;
+  settings.arm_spread = static_cast<float>(degrees);
+  return settings;
+}
+
+// Degrees from the trunk's down axis to an upper arm, outwards.
+double angle_of_arm(const WorldPose& pose, uint32_t shoulder) {
+  const Vec3d bone = rotate(conjugate(pose.rotations[kSpine]), pose.positions[shoulder + 1] - pose.positions[shoulder]);
+  return std::atan2(shoulder == kLeftUpperArm ? bone.x : -bone.x, -bone.y) * 180 / kPi;
+}
+
+TEST(Retarget, ArmSpreadLiftsHangingArmsByItsAngle) {
+  const MotionScene source = body(90);
+  for (const double rest : {90.0, 40.0, 0.0}) {
+    const MotionScene target = body(rest, 0.8);
+    for (uint32_t seed = 0; seed < 5; ++seed) {
+      Pose pose = rest_pose(source);
+      const Pose turned = random_pose(source, seed, 1.5);
+      for (const uint32_t j : {kPelvis, kSpine}) pose.set(j, quat(&turned.rotations[4 * j]), source.at(j));
+      const Pose copied = play(source, target, one_to_one(17), pose);
+      for (const double degrees : {-20.0, 15.0, 45.0, 90.0}) {
+        const Pose spread = play(source, target, one_to_one(17), pose, spread_by(degrees));
+        const WorldPose found = world_pose(target, spread);
+        for (const uint32_t shoulder : {kLeftUpperArm, kRightUpperArm})
+          EXPECT_NEAR(angle_of_arm(found, shoulder), degrees, 1e-3) << shoulder;
+        for (uint32_t j = 0; j < 17; ++j) {
+          for (uint32_t i = 0; i < 4; ++i) {
+            const float now = spread.rotations[4 * j + i], before = copied.rotations[4 * j + i];
+            if (j == kLeftUpperArm || j == kRightUpperArm) continue;
+            EXPECT_NEAR(now, before, is_arm(j) ? 1e-6 : 0) << j;
+          }
+          for (uint32_t i = 0; i < 3; ++i)
+            EXPECT_NEAR(spread.translations[3 * j + i], copied.translations[3 * j + i], is_arm(j) ? 1e-6 : 0) << j;
+        }
+      }
+    }
+  }
+}
+
+// A constant rotation would bring raised arms together.
+TEST(Retarget, ArmSpreadOpensRaisedArmsAndLeavesThoseThatPointSideways) {
+  const MotionScene target = body(40), raised = body(-90), level = body(0);
+  const auto angle = [&](const MotionScene& source, double degrees) {
+    return angle_of_arm(world_pose(target, play(source, target, one_to_one(17), rest_pose(source), spread_by(degrees))),
+                        kRightUpperArm);
+  };
+  EXPECT_NEAR(std::abs(angle(raised, 0)), 180, 1e-3);
+  EXPECT_NEAR(angle(raised, 30), 150, 1e-3);
+  EXPECT_NEAR(angle(level, 0), 90, 1e-3);
+  EXPECT_NEAR(angle(level, 30), 90, 1e-3);
+}
+
+TEST(Retarget, ArmSpreadTakesHandsBesideTheirArmsAlong) {
+  const MotionScene source = body(90);
+  MotionScene target = source;
+  target.parents[kLeftHand] = kPelvis;  // as for inverse kinematics
+  for (const uint32_t method : {SINEW_RETARGET_COPY, SINEW_RETARGET_NODE_OFFSETS}) {
+    RetargetSettings settings = spread_by(30);
+    settings.method = method;
+    const Pose pose = rest_pose(source);
+    const WorldPose one = world_pose(source, play(source, source, one_to_one(17), pose, settings));
+    const WorldPose other = world_pose(target, play(source, target, one_to_one(17), pose, settings));
+    EXPECT_LT(farthest(one, other), 1e-6);
+    EXPECT_GT(one.positions[kLeftFinger].x, 0.4);
+  }
+}
+
+TEST(Retarget, ArmSpreadNeedsArms) {
+  const MotionScene scene = body(40);
+  const Pose pose = random_pose(scene, 1, 1.0);
+  MotionScene armless = scene;
+  for (uint32_t j = 0; j < 17; ++j)
+    if (is_arm(j)) armless.classes[j] = SINEW_CLASS_OTHER;
+  for (const bool with_classes : {true, false}) {
+    const Pose copied = play(scene, armless, one_to_one(17), pose, {}, with_classes);
+    const Pose spread = play(scene, armless, one_to_one(17), pose, spread_by(30), with_classes);
+    EXPECT_EQ(copied.rotations, spread.rotations);
+    EXPECT_EQ(copied.translations, spread.translations);
+  }
+  // One arm is lifted away from the hips.
+  std::vector<int32_t> map = one_to_one(17);
+  for (const uint32_t j : {kRightUpperArm, kRightForearm, kRightHand}) map[j] = -1;
+  const MotionScene hanging = body(90);
+  const WorldPose found = world_pose(scene, play(hanging, scene, map, rest_pose(hanging), spread_by(30)));
+  EXPECT_NEAR(angle_of_arm(found, kLeftUpperArm), 30, 1e-3);
+}
+
 TEST(Retarget, HipsGoByTheLengthOfTheLegsAndFeetStayOnTheFloor) {
   const MotionScene source = body(20), target = body(20, 0.5);
   Pose pose = rest_pose(source);
@@ -411,6 +501,11 @@ TEST(Retarget, WhatIsWrongIsRefusedAndNothingIsWritten) {
   options.scale = -1;
   EXPECT_EQ(create(scene, scene, map, &options), SINEW_ERROR_ARGUMENT);
   options.scale = 0;
+  for (const float degrees : {-91.0f, 90.5f, std::numeric_limits<float>::quiet_NaN()}) {
+    options.arm_spread = degrees;
+    EXPECT_EQ(create(scene, scene, map, &options), SINEW_ERROR_ARGUMENT) << degrees;
+  }
+  options.arm_spread = 0;
   options.struct_size = 4;
   EXPECT_EQ(create(scene, scene, map, &options), SINEW_ERROR_ARGUMENT);
   const sinew_skeleton view = scene.view();

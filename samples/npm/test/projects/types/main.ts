@@ -26,7 +26,7 @@ export async function main(worker: Worker): Promise<number> {
   const deformer = skin.deformer(mesh, skeleton, bound, { method: "volume", bodyContact: true });
   const { positions } = deformer.pose(palette);
   deformer.free();
-  const clip: THREE.AnimationClip = retargetClip(skin, new THREE.AnimationClip("walk"), bones, skinned.skeleton, { fps: 30, inPlace: true });
+  const clip: THREE.AnimationClip = retargetClip(skin, new THREE.AnimationClip("walk"), bones, skinned.skeleton, { fps: 30, inPlace: true, armSpread: 15 });
   const remote: RemoteSkin = await connect(worker, { model: await loadModel() });
   await bindGeometry(remote, three.geometry, bones, { method: "heat" });
   // @ts-expect-error no such method
