@@ -274,7 +274,7 @@ TEST_F(CliAnimate, ArmSpreadLiftsBothArms) {
   EXPECT_NE(good("animate " + kSnake + " --motion builtin:swim --force --arm-spread 20 -o swims.glb")
                 .out.find("the arm spread has no effect"),
             std::string::npos);
-  for (const std::string degrees : {"91", "-90.5", "wide"})
+  for (const std::string degrees : {"90.5", "-91", "wide"})
     EXPECT_NE(bad(2, "animate hero.glb --motion builtin:walk --arm-spread " + degrees + " -o moved.glb")
                   .error.find("--arm-spread"),
               std::string::npos)

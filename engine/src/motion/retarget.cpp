@@ -175,7 +175,7 @@ int32_t shoulder_of(const sinew_retarget& plan, uint32_t t) {
 // Rotates each arm at its shoulder, away from the plane between left and right that the shoulder's parent carries along.
 // The angle is whole where the upper arm lies in that plane, and fades to none where it points sideways: a constant
 // rotation about the body's front would bring raised arms into the head.
-void spread_arms(sinew_retarget* plan) {
+SINEW_RARE void spread_arms(sinew_retarget* plan) {
   const MotionRig& rig = plan->target;
   Vec3d middle = {0, 0, 0}, anchors = {0, 0, 0};  // of all shoulders at rest
   double count = 0;
