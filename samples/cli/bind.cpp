@@ -113,7 +113,7 @@ void run_bind_folder(const BindCommandSettings& s) {
 
 void run_bind(BindCommandSettings s) {
   settle_joints(&s.one);
-  settle_profile(s.one.profile, &s.one.to_pose);
+  s.one.pose_preferred = settle_profile(s.one.profile, &s.one.to_pose);
   constexpr unsigned kQuestions = 3;
   if (s.one.ask && s.one.questions == 0) s.one.questions = kQuestions;
   if (needs_no_model(s) && !s.model.empty())

@@ -30,6 +30,7 @@ struct BindSettings {
   bool symmetric = false, confidence = false, no_seams = false;
   bool cut = false;                  // what has fused is opened
   std::string to_pose;               // rest pose of what is written; empty: as the mesh stands
+  bool pose_preferred = false;       // it is the profile's
   CharacterTransform transform;      // where the mesh with its joints is put first
   ProfileSettings profile;           // what it is written for
   unsigned questions = 0;            // parts to list or, with `ask`, to ask about on the terminal

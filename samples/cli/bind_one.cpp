@@ -92,6 +92,7 @@ BindJobOptions job_options(const BindSettings& settings, const Binder& binder, c
   job.seams = !settings.no_seams;
   job.cut = settings.cut;
   job.to_pose = settings.to_pose;
+  job.pose_preferred = settings.pose_preferred;
   job.influence_count = settings.influences;
   job.up_axis = axis_of(settings.up);
   job.thread_count = settings.threads;

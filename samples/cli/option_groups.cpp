@@ -254,8 +254,9 @@ void add_controls_option(CLI::App* sub, ProfileSettings* settings) {
       ->type_name("FILE.controls.json");
 }
 
-void settle_profile(const ProfileSettings& settings, std::string* to_pose) {
+bool settle_profile(const ProfileSettings& settings, std::string* to_pose) {
   const ProfileOptions& said = settings.options;
+  bool preferred = false;
   if (!settings.controls.empty()) check_output(settings.controls, {".json"});
   if (settings.profile.empty()) {
     if (!said.authors.empty() || !said.license.empty() || !said.title.empty() || said.keep_axes)
@@ -264,12 +265,14 @@ void settle_profile(const ProfileSettings& settings, std::string* to_pose) {
     try {
       const Profile& profile = profile_named(settings.profile);
       check_profile(profile, said);
-      if (to_pose != nullptr && to_pose->empty()) *to_pose = profile.pose;
+      preferred = to_pose != nullptr && to_pose->empty();
+      if (preferred) *to_pose = profile.pose;
     } catch (const Error& error) {
       throw UsageError(std::string("--for ") + settings.profile + ": " + error.what());
     }
   }
   if (to_pose != nullptr && *to_pose == "none") to_pose->clear();
+  return preferred;
 }
 
 std::string container_of(const ProfileSettings& settings) {

@@ -98,7 +98,8 @@ void add_profile_options(CLI::App* sub, ProfileSettings* settings);
 void add_controls_option(CLI::App* sub, ProfileSettings* settings);
 // Before any work: the profile's rest pose where none is asked for, none for "none", and what it needs. Throws UsageError.
 //   to_pose  in/out; null where the command keeps the character's
-void settle_profile(const ProfileSettings& settings, std::string* to_pose);
+// Returns whether the pose is the profile's, which a character that cannot be put into it does without.
+bool settle_profile(const ProfileSettings& settings, std::string* to_pose);
 // ".glb", or what the profile has.
 std::string container_of(const ProfileSettings& settings);
 // write_character(), or write_for_profile(), and the file of controls; remarks go to `notes`.

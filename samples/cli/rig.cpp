@@ -36,6 +36,7 @@ using Json = nlohmann::ordered_json;
 struct RigCommandSettings {
   std::string hands_model, front_model;
   std::string mesh, output, model, bind_model, png, up = "auto", format = "glb", prediction, skeleton, to_pose;
+  bool pose_preferred = false;
   SkeletonDetail detail = SkeletonDetail::kBody;
   uint32_t front = SINEW_FRONT_AUTO;
   MethodOptions method;
@@ -87,6 +88,7 @@ RigJobOptions job_options(const RigCommandSettings& s) {
   job.gate = s.gate;
   job.cut = s.cut;
   job.to_pose = s.to_pose;
+  job.pose_preferred = s.pose_preferred;
   job.influence_count = s.influences;
   BindOptions style;
   style.method = SINEW_METHOD_MODEL;
@@ -255,7 +257,7 @@ void run_rig_folder(const RigCommandSettings& s) {
 }
 
 void run_rig(RigCommandSettings s) {
-  settle_profile(s.profile, &s.to_pose);
+  s.pose_preferred = settle_profile(s.profile, &s.to_pose);
   if (s.mirror && s.no_mirror) throw UsageError("--mirror and --no-mirror: give one of the two");
   if (s.keep_lengths && s.skeleton.empty()) throw UsageError("--keep-lengths needs your own skeleton; give --skeleton");
   if (!s.to_pose.empty() && s.no_bind) throw UsageError("--to-pose moves the mesh by its weights: leave out --no-bind");

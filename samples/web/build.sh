@@ -36,13 +36,15 @@ node_modules_has() { local name; for name in "$@"; do [ -d "$here/node_modules/$
 node_modules_has three esbuild three-mesh-bvh typescript eslint || npm ci --silent --no-audit --no-fund --prefix "$here"
 cd "$here"
 rm -f "$out"/*.js
+cp node_modules/three/examples/jsm/libs/draco/gltf/draco_wasm_wrapper.js "$build/draco.cjs" # three's package says that it is a module, and it is none
 # What reads FBX and what shows materials are files of their own, loaded when they are asked for.
 node_modules/.bin/esbuild src/landing.js src/worker.js --bundle --splitting --minify --format=esm --target=es2022 --outdir="$out" --log-level=warning \
   --alias:@sinew/skin/loader="$root/samples/npm/src/loader.js" --alias:@sinew/skin/scenes="$root/samples/npm/src/scenes.js" \
-  --alias:@sinew/skin/character="$root/samples/npm/src/character.js" --external:../wasm/\* --alias:sinew-scenes="$scenes/scenes.mjs" \
+  --alias:@sinew/skin/character="$root/samples/npm/src/character.js" --external:../wasm/\* --external:fs --external:path --alias:sinew-scenes="$scenes/scenes.mjs" --alias:sinew-draco="$build/draco.cjs" \
   --alias:sinew-simd="$build/modules/simd/sinew_web.mjs" --alias:sinew-scalar="$build/modules/scalar/sinew_web.mjs"
 node_modules/.bin/esbuild src/style.css --minify --outdir="$out" --log-level=warning
 cp src/index.html src/icon.svg src/manifest.webmanifest src/sw.js "$out"
+pack_code node_modules/three/examples/jsm/libs/draco/gltf/draco_decoder.wasm "$out/sinew-draco.wasm"
 for model in default rig hands front; do pack_model "$root/samples/data/sinew_$model.sinew" "$out/sinew_$model.sinew"; done
 mkdir -p "$out/samples" "$out/thumbs" "$build/moving"
 cp src/thumbs/*.webp "$out/thumbs"
@@ -53,6 +55,6 @@ node samples/clothed.mjs "$build/moving/biped__clothed.glb" 0.5 # the first one 
 node samples/moving.mjs "$build"/modules/simd/sinew_web.{mjs,wasm} "$build/moving" "$build/moving" "$out/samples" "$root/samples/data" >&2
 for picture in "$build"/moving/*.moving; do pack_code "$picture" "$out/samples/${picture##*/}"; done
 # What sw.js keeps for a page without a network: all of it but the module without SIMD, which is kept when it is used.
-(cd "$out" && ls -- *.html *.css *.svg *.js *.webmanifest thumbs/*.webp samples/* sinew-s{imd,cenes}*.wasm.zlib *.sinew.zlib) | grep -v '^sw\.js$' |
+(cd "$out" && ls -- *.html *.css *.svg *.js *.webmanifest thumbs/*.webp samples/* sinew-{simd,scenes,draco}*.wasm.zlib *.sinew.zlib) | grep -v '^sw\.js$' |
   sed 's/.*/"&"/' | paste -sd, | sed 's/.*/[&]/' >"$out/files.json"
 echo "web: built $out"

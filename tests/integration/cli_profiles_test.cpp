@@ -48,6 +48,17 @@ TEST_F(CliProfiles, CommandsWriteWhatAProgramWants) {
   EXPECT_FALSE(fs::exists(in("x.glb")));
 }
 
+// A dog has no T pose: what a program prefers is left undone with a word, what the user asks for is an error.
+TEST_F(CliProfiles, ABodyWithoutThePreferredPoseKeepsItsOwn) {
+  const std::string dog = data("quadruped__tailed.obj"), rig = data("quadruped__tailed.rig.txt");
+  const auto note = [](const std::string& out) { return out.find("the rest pose is unchanged: the pose t needs "); };
+  EXPECT_NE(note(good("rig " + dog + " --for unity -o dog.fbx").out), std::string::npos);
+  EXPECT_NE(note(good("bind " + dog + " --skeleton " + rig + " --for godot -o dog.glb").out), std::string::npos);
+  EXPECT_EQ(note(good("rig " + dog + " --for unity --to-pose none -o none.fbx").out), std::string::npos);
+  EXPECT_NE(bad(1, "rig " + dog + " --for unity --to-pose t -o t.fbx").error.find("the pose t needs "), std::string::npos);
+  EXPECT_FALSE(fs::exists(in("t.fbx")));
+}
+
 TEST_F(CliProfiles, ControlsAreAFileAndExtras) {
   good("bind " + kRobed + " --skeleton " + kRobedRig + " -o a.glb --controls a.controls.json");
   const auto own = nlohmann::json::parse(slurp(in("a.controls.json")));

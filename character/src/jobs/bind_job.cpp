@@ -196,7 +196,11 @@ void BindJob::apply(CharacterBind* bound) {
   bare.confidence = bound->confidence;
   if (job_.cut || !job_.to_pose.empty()) bound->doubled_vertices = cut_seams(bound->seams, &bare);
   bound->confidence = std::exchange(bare.confidence, {});
-  if (!job_.to_pose.empty()) bare = in_rest_pose(bare, read_rest_pose(job_.to_pose), job_.up_axis);
+  if (!job_.to_pose.empty()) {
+    RestPose pose = read_rest_pose(job_.to_pose);
+    pose.preferred = job_.pose_preferred;
+    bare = in_rest_pose(bare, pose, job_.up_axis);
+  }
   *character_ = std::move(bare);
   add_checked_note(character_);
 }

@@ -328,8 +328,9 @@ RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool 
                               const RigModels& models) {
   if (!job.to_pose.empty() && !job.bind) throw Error("another rest pose needs weights; leave out --no-bind");
   if (job.cut && !job.bind) throw Error("seams need weights; leave out --no-bind");
-  const std::optional<RestPose> pose =
+  std::optional<RestPose> pose =
       job.to_pose.empty() ? std::nullopt : std::optional<RestPose>(read_rest_pose(job.to_pose));
+  if (pose) pose->preferred = job.pose_preferred;
   RiggedCharacter rigged;
   rigged.character = std::move(mesh);
   rigged.skeleton = std::move(predicted);

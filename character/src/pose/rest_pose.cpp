@@ -342,7 +342,11 @@ Character in_rest_pose(const Character& character, const RestPose& pose, Axis up
   try {
     palette = rest_pose_palette(label_skeleton(character.joints), pose, up_axis);
   } catch (const Error& error) {
-    throw Error(character.name + ": " + error.what());
+    if (!pose.preferred) throw Error(character.name + ": " + error.what());
+    const std::string reason = error.what();
+    Character unchanged = character;
+    unchanged.notes.push_back("warning: the rest pose is unchanged: " + reason.substr(0, reason.find(';')));
+    return unchanged;
   }
   CharacterDeformer deformer(character, SINEW_INIT(sinew_deform_options));
   Character posed = deformer.pose_character(character, palette);

@@ -19,18 +19,25 @@ async function written(kind, profile) {
   return { bytes: buffers.bytes, notes, height };
 }
 
-// In the rest pose that files of a profile have, where the user chose none; the character stands as before afterwards.
+// In the rest pose that files of a profile have, where the user chose none and the character can be put into it; it stands as before afterwards.
 /** @param {string} kind @param {string} profile */
 async function writtenFor(kind, profile) {
   const { pose } = profile ? await engine.call("profile", { name: profile }) : { pose: "" };
   if (pose === "" || at.options.toPose !== "") return written(kind, profile);
   at.options.toPose = pose;
   try {
-    await bind();
+    await bind().catch((error) => {
+      if (kind === "vrm") throw error;
+      at.options.toPose = "";
+      remark(`It is written in the pose that it is in: ${error.message.replace(/;.*/, "")}.`);
+      return bind();
+    });
     return await written(kind, profile);
   } finally {
-    at.options.toPose = "";
-    await bind();
+    if (at.options.toPose !== "") {
+      at.options.toPose = "";
+      await bind();
+    }
   }
 }
 

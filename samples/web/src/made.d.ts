@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Modules that are there after a build, and node's that a page never asks for, for the checker of types alone.
+declare module "sinew-draco";
 declare module "sinew-scenes";
 declare module "sinew-simd";
 declare module "sinew-scalar";

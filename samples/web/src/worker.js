@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs the module beside the page, so that binding never stops the picture. Messages in: {id, call, ...}; out: {id,
 // reply, buffers} or {progress}.
+import { compressionOf, uncompressed } from "./compressed.js";
 import { compile, hasExceptions, hasSimd } from "@sinew/skin/loader";
 import { isScene, readScenesBy } from "@sinew/skin/scenes";
 import { fetchPacked } from "./packed.js";
@@ -31,6 +32,24 @@ function needScenes(name) {
   scenes ??= Promise.all([import("sinew-scenes"), fetchPacked("sinew-scenes.wasm").then(compile)]).then(([glue, compiled]) => readScenesBy(module, glue.default, compiled));
   scenes.catch(() => (scenes = null)); // the next file asks again
   return scenes;
+}
+
+// What reads compressed glTF, once there is such a file.
+/** @type {{ draco: Promise<any> | null, meshopt: Promise<any> | null }} */
+const decoders = { draco: null, meshopt: null };
+/** @param {string} name @param {Uint8Array} bytes */
+async function plainGltf(name, bytes) {
+  const needs = compressionOf(name, bytes);
+  if (!needs.draco && !needs.meshopt) return bytes;
+  if (needs.draco) decoders.draco ??= Promise.all([import("sinew-draco"), fetchPacked("sinew-draco.wasm")]).then(([glue, wasmBinary]) => glue.default({ wasmBinary }));
+  if (needs.meshopt) decoders.meshopt ??= import("three/addons/libs/meshopt_decoder.module.js").then(({ MeshoptDecoder }) => MeshoptDecoder.ready.then(() => MeshoptDecoder));
+  try {
+    const [draco, ofMeshopt] = await Promise.all([decoders.draco, decoders.meshopt]);
+    return uncompressed({ draco: needs.draco && draco, meshopt: needs.meshopt && ofMeshopt }, bytes, (beside) => module.FS.readFile(plain(beside)));
+  } catch (error) {
+    Object.assign(decoders, { draco: null, meshopt: null }); // the next file asks again
+    throw new Error(`${name}: its geometry is compressed by ${needs.draco ? "Draco" : "meshoptimizer"} and could not be unpacked (${error?.message || error}). Export it without compression`, { cause: error });
+  }
 }
 
 /** @param {{ forceScalar: boolean }} how */
@@ -127,8 +146,12 @@ const plain = (name) => name.split(/[/\\]/).pop() ?? name;
 /** @type {Record<string, (options: any) => any>} */
 const calls = {
   start,
-  write({ files }) {
+  async write({ files }) {
     for (const { name, bytes } of files) module.FS.writeFile(plain(name), new Uint8Array(bytes));
+    for (const { name, bytes } of files) { // what they refer to is there
+      const own = new Uint8Array(bytes), made = await plainGltf(name, own);
+      if (made !== own) module.FS.writeFile(plain(name), made);
+    }
   },
   // Folders of documents and numbers of characters that are open no more.
   remove({ folders, numbers }) {

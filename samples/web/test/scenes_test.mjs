@@ -103,6 +103,22 @@ try {
     }
     assert.deepEqual((await joints()).map(({ name }) => name), before, "the page is as it was");
   });
+  await step("geometry that Draco or meshoptimizer has compressed is unpacked, and what they cannot read is said", async () => {
+    // The same but for how whole numbers are written.
+    const parsed = (glb) => [JSON.parse(glb.subarray(20, 20 + glb.readUInt32LE(12))), glb.subarray(28 + glb.readUInt32LE(12))];
+    for (const name of ["draco.glb", "meshopt.glb"]) {
+      writeFileSync(join(work, name), readFileSync(join(source, "tests/fuzz/corpus/glb", name)));
+      command("bind", name, "-o", "command.glb");
+      await give(made(name, readFileSync(join(work, name))));
+      assert.equal(await errorLine(), "", name);
+      assert.deepEqual(parsed((await downloaded("#download")).bytes), parsed(readFileSync(join(work, "command.glb"))), name);
+    }
+    const damaged = readFileSync(join(source, "tests/fuzz/corpus/glb/draco.glb"));
+    damaged.fill(0, damaged.indexOf("DRACO") + 5, damaged.indexOf("DRACO") + 40);
+    await give(made("damaged.glb", damaged));
+    assert.match(await errorLine(), /^damaged\.glb: its geometry is compressed by Draco and could not be unpacked \(.+\)\. Export it without compression$/);
+    await page.keyboard.press("Escape");
+  });
 } finally {
   await browser.close();
   server.close();

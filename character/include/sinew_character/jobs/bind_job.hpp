@@ -39,6 +39,7 @@ struct BindJobOptions {
   bool cut = false;     // cut fused parts open: see cut_seams()
   bool seams = true;    // no weight across seams
   std::string to_pose;  // the rest pose of the result: "t", "a" or a file in that pose; empty: unchanged. Implies `cut`
+  bool pose_preferred = false;  // see RestPose::preferred
   const JointChoice* choice =
       nullptr;  // result of an earlier prepare_joints(), if the weights have changed since the file was read
   std::vector<size_t>

@@ -38,8 +38,9 @@ struct RigJobOptions {
   bool category_guessed = false;  // guessed, not given: the shape may still replace doubtful votes
   bool toes = true, ends = true, bind = true, keep_lengths = false;
   std::string to_pose;  // the rest pose of the result: "t", "a" or a file in that pose; empty: unchanged. Needs `bind`
-  bool cut = false;     // cuts fused parts open; `to_pose` implies it. Needs `bind`
-  bool gate = false;    // measure the result: RiggedCharacter::gate
+  bool pose_preferred = false;  // see RestPose::preferred
+  bool cut = false;             // cuts fused parts open; `to_pose` implies it. Needs `bind`
+  bool gate = false;            // measure the result: RiggedCharacter::gate
   uint32_t influence_count = 4, thread_count = 1;
   uint32_t rigid_parts = SINEW_RIGID_PARTS_AUTO, softness_percent = 100, surface_vertices = 32768;
   std::vector<SkeletonEdit> edits;

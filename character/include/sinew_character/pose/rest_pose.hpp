@@ -22,7 +22,8 @@ struct RestPose {
   };
   Kind kind = Kind::kT;
   LabeledSkeleton like;
-  std::string name;  // name given by the user, for messages
+  std::string name;        // name given by the user, for messages
+  bool preferred = false;  // a character that cannot be put into it keeps its pose, with a note
 };
 
 // Parses "t", "a", or a file with a skeleton. Throws Error.
@@ -37,7 +38,7 @@ std::vector<Affine> rest_pose_palette(const LabeledSkeleton& skeleton, const Res
 
 // Puts a character into the pose. The mesh follows by the volume-preserving deformation; weights and the height of
 // the lowest vertex are unchanged, and a glTF document keeps its materials, normals and shapes. Throws Error for a
-// character without weights.
+// character without weights, and for one that cannot be put into the pose unless it is only preferred.
 Character in_rest_pose(const Character& character, const RestPose& pose, Axis up_axis);
 
 }  // namespace sinew
