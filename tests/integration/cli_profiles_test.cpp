@@ -55,7 +55,8 @@ TEST_F(CliProfiles, ABodyWithoutThePreferredPoseKeepsItsOwn) {
   EXPECT_NE(note(good("rig " + dog + " --for unity -o dog.fbx").out), std::string::npos);
   EXPECT_NE(note(good("bind " + dog + " --skeleton " + rig + " --for godot -o dog.glb").out), std::string::npos);
   EXPECT_EQ(note(good("rig " + dog + " --for unity --to-pose none -o none.fbx").out), std::string::npos);
-  EXPECT_NE(bad(1, "rig " + dog + " --for unity --to-pose t -o t.fbx").error.find("the pose t needs "), std::string::npos);
+  EXPECT_NE(bad(1, "rig " + dog + " --for unity --to-pose t -o t.fbx").error.find("the pose t needs "),
+            std::string::npos);
   EXPECT_FALSE(fs::exists(in("t.fbx")));
 }
 

@@ -45,7 +45,7 @@ async function writtenFor(kind, profile) {
 async function saveFor({ id, kind, profile }) {
   const { bytes, height } = await writtenFor(kind, profile);
   if (height !== 0) remark(`It stood ${Math.abs(height).toPrecision(2)} m ${height < 0 ? "below" : "above"} the floor; in the ${kind.toUpperCase()} it stands on it.`);
-  save(bytes, kind === "fbx" ? "application/octet-stream" : "model/gltf-binary", `${at.character.name}.${id === "any" ? (at.character.predicted ? "rigged" : "bound") : id}.${kind}`);
+  save(bytes, kind === "fbx" ? "application/octet-stream" : "model/gltf-binary", [at.character.name, ...(id === "any" ? [at.character.predicted ? "rigged" : "bound"] : id === kind ? [] : [id]), kind].join("."));
 }
 
 // A VRM says who made it, and is not made of one whose license forbids it.
