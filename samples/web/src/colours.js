@@ -45,7 +45,7 @@ async function showLookOfFile() {
   const { result, joints } = at.character;
   if (at.view.look?.result === result) return;
   const { Look } = await import("./look.js");
-  const look = await Look.of(await glbOf(at.character.name), joints.map(({ name }) => name));
+  const look = await Look.of(await glbOf(at.character.name), joints);
   look.result = result;
   at.view.setLook(look);
 }

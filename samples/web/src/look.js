@@ -13,6 +13,21 @@ const roomHarmonics = [3.7119, 1.7183, 1.6268, 0.2877, 0.2338, 1.0789, 1.2682, -
 const mirrors = (/** @type {any} */ { isMeshStandardMaterial, isMeshPhysicalMaterial, metalness, roughness, roughnessMap }) =>
   isMeshStandardMaterial && (isMeshPhysicalMaterial || metalness > 0 || roughness < 0.5 || roughnessMap);
 
+const near = 1e-3; // of the distance from the origin
+
+// Where bones are when nothing moves. A file's nodes may stand in another pose than its weights were made in, as in a frame of an animation: that one is
+// known by the inverse bind matrices, but for a transform of all of them. The page's joints have positions in it.
+/** @param {import("three").Object3D} root @param {any[]} bones @param {import("./types.js").Joint[]} joints @returns {any[]} matrices in the space of the root */
+function restsOf(root, bones, joints) {
+  const bound = new Map(); // bone: its matrix in the space of its mesh's weights
+  root.traverse((/** @type {any} */ { skeleton }) => skeleton?.bones.forEach((/** @type {any} */ bone, /** @type {number} */ k) => bound.has(bone) || bound.set(bone, skeleton.boneInverses[k].clone().invert())));
+  const known = bones.flatMap((bone, j) => (bound.has(bone) ? [[bone, new Vector3().fromArray(joints[j].position)]] : []));
+  const isAll = (/** @type {Matrix4} */ frame) => known.every(([bone, place]) => new Vector3().setFromMatrixPosition(bound.get(bone)).applyMatrix4(frame).distanceTo(place) <= near * (1 + place.length()));
+  const frames = [new Matrix4(), ...known.map(([bone]) => bone.matrixWorld.clone().multiply(bound.get(bone).clone().invert()))];
+  const frame = frames.find(isAll);
+  return bones.map((bone) => (frame && bound.has(bone) ? frame.clone().multiply(bound.get(bone)) : bone?.matrixWorld.clone()));
+}
+
 export class Look {
   /** @type {import("three").Group} */
   root;
@@ -33,18 +48,18 @@ export class Look {
     this.animations = animations;
   }
 
-  // glb: bytes; names: of the page's joints.
-  static async of(glb, names) {
+  // glb: bytes; joints: the page's, at rest.
+  static async of(glb, joints) {
     const gltf = await new GLTFLoader().parseAsync(glb.buffer.slice(glb.byteOffset, glb.byteOffset + glb.byteLength), "");
     const { json, associations } = gltf.parser;
     const nodes = new Map();
     for (const [object, at] of associations) if (at?.nodes !== undefined && "isObject3D" in object) nodes.set(at.nodes, object);
-    const joints = [...new Set((json.skins ?? []).flatMap((skin) => skin.joints))];
-    const named = new Map(joints.map((index) => [json.nodes[index].name, nodes.get(index)]));
+    const numbers = [...new Set((json.skins ?? []).flatMap((skin) => skin.joints))];
+    const named = new Map(numbers.map((index) => [json.nodes[index].name, nodes.get(index)]));
     const look = new Look(gltf);
-    look.#bones = names.map((name, j) => named.get(name) ?? (joints.length === names.length ? nodes.get(joints[j]) : undefined));
+    look.#bones = joints.map(({ name }, j) => named.get(name) ?? (numbers.length === joints.length ? nodes.get(numbers[j]) : undefined));
     look.root.updateMatrixWorld(true);
-    look.#restOf = look.#bones.map((bone) => bone?.matrixWorld.clone());
+    look.#restOf = restsOf(look.root, look.#bones, joints);
     look.root.traverse((/** @type {any} */ object) => {
       object.frustumCulled = false;
       for (const one of [object.material].flat()) {

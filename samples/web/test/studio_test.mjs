@@ -16,6 +16,32 @@ const jointsAt = () => page.evaluate(() => sinewPage.view.shown("joints"));
 // The picture's pixels in the middle, to see that it changed.
 const picture = async () => (await page.locator("#stage > canvas").screenshot()).toString("base64");
 
+// How far what three.js skins from the file is from the engine's positions.
+const apart = () =>
+  page.evaluate(() => {
+    // Skinned by three.js from the file, against the engine's positions: the two clouds' boxes.
+    const box = (list) => [0, 1, 2].flatMap((axis) => {
+      const all = list.map((p) => p[axis]);
+      return [Math.min(...all), Math.max(...all)];
+    });
+    const shown = sinewPage.view.shown("positions");
+    const engine = Array.from({ length: shown.length / 3 }, (_, i) => shown.slice(3 * i, 3 * i + 3));
+    const three = [];
+    const { root } = sinewPage.view.look;
+    root.updateMatrixWorld(true);
+    root.traverse((object) => {
+      if (!object.isMesh) return;
+      object.skeleton?.update();
+      for (let v = 0; v < object.geometry.getAttribute("position").count; ++v) {
+        const p = object.position.clone();
+        object.getVertexPosition(v, p).applyMatrix4(object.matrixWorld);
+        three.push([p.x, p.y, p.z]);
+      }
+    });
+    const [a, b] = [box(engine), box(three)];
+    return Math.max(...a.map((x, i) => Math.abs(x - b[i])));
+  });
+
 try {
   await step("joints are switched off and on, as --never has it", async () => {
     await page.goto(`${server.address}?sample=biped__robot`);
@@ -191,33 +217,29 @@ try {
     await pick("upper_arm.L");
     await slide("#turn-z", 60);
     await page.waitForTimeout(200);
-    const farthest = await page.evaluate(() => {
-      // Skinned by three.js from the file, against the engine's positions: the two clouds' boxes.
-      const box = (list) => [0, 1, 2].flatMap((axis) => {
-        const all = list.map((p) => p[axis]);
-        return [Math.min(...all), Math.max(...all)];
-      });
-      const shown = sinewPage.view.shown("positions");
-      const engine = Array.from({ length: shown.length / 3 }, (_, i) => shown.slice(3 * i, 3 * i + 3));
-      const three = [];
-      const { root } = sinewPage.view.look;
-      root.updateMatrixWorld(true);
-      root.traverse((object) => {
-        if (!object.isMesh) return;
-        object.skeleton?.update();
-        for (let v = 0; v < object.geometry.getAttribute("position").count; ++v) {
-          const p = object.position.clone();
-          object.getVertexPosition(v, p).applyMatrix4(object.matrixWorld);
-          three.push([p.x, p.y, p.z]);
-        }
-      });
-      const [a, b] = [box(engine), box(three)];
-      return Math.max(...a.map((x, i) => Math.abs(x - b[i])));
-    });
+    const farthest = await apart();
     assert.ok(farthest < 1e-3, `three.js and the engine are ${farthest} apart`);
     assert.notEqual(await picture(), rest);
     await shoot("material_posed");
     await page.click("#reset");
+    await page.keyboard.press("1");
+    await settled();
+  });
+
+  await step("a file that was saved in the middle of a motion is shown in the pose that its weights were made in", async () => {
+    const glb = (await downloaded("#download")).bytes, length = glb.readUInt32LE(12);
+    const json = JSON.parse(glb.subarray(20, 20 + length)), binary = glb.subarray(28 + length);
+    json.nodes.find(({ name }) => name === "upper_arm.L").rotation = [0, 0, Math.SQRT1_2, Math.SQRT1_2];
+    const text = Buffer.from(JSON.stringify(json));
+    const head = Buffer.alloc(20), chunk = Buffer.alloc(8), padded = Buffer.concat([text, Buffer.alloc((4 - (text.length % 4)) % 4, " ")]);
+    [0x46546c67, 2, 28 + padded.length + binary.length, padded.length, 0x4e4f534a].forEach((word, i) => head.writeUInt32LE(word, 4 * i));
+    [binary.length, 0x004e4942].forEach((word, i) => chunk.writeUInt32LE(word, 4 * i));
+    await give(made("moved.glb", Buffer.concat([head, padded, chunk, binary])));
+    assert.equal(await errorLine(), "");
+    await page.keyboard.press("4");
+    await settled();
+    const farthest = await apart();
+    assert.ok(farthest < 1e-3, `three.js and the engine are ${farthest} apart`);
     await page.keyboard.press("1");
     await settled();
   });
