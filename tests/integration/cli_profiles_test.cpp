@@ -50,7 +50,7 @@ TEST_F(CliProfiles, CommandsWriteWhatAProgramWants) {
 
 // A dog has no T pose: what a program prefers is left undone with a word, what the user asks for is an error.
 TEST_F(CliProfiles, ABodyWithoutThePreferredPoseKeepsItsOwn) {
-  const std::string dog = data("quadruped__tailed.obj"), rig = data("quadruped__tailed.rig.txt");
+  const std::string dog = kData + "/quadruped__tailed.obj", rig = kData + "/quadruped__tailed.rig.txt";
   const auto note = [](const std::string& out) { return out.find("the rest pose is unchanged: the pose t needs "); };
   EXPECT_NE(note(good("rig " + dog + " --for unity -o dog.fbx").out), std::string::npos);
   EXPECT_NE(note(good("bind " + dog + " --skeleton " + rig + " --for godot -o dog.glb").out), std::string::npos);

@@ -13,19 +13,21 @@ const roomHarmonics = [3.7119, 1.7183, 1.6268, 0.2877, 0.2338, 1.0789, 1.2682, -
 const mirrors = (/** @type {any} */ { isMeshStandardMaterial, isMeshPhysicalMaterial, metalness, roughness, roughnessMap }) =>
   isMeshStandardMaterial && (isMeshPhysicalMaterial || metalness > 0 || roughness < 0.5 || roughnessMap);
 
-const near = 1e-3; // of the distance from the origin
+const mostFrames = 32; // that are tried: roots come first
 
 // Where bones are when nothing moves. A file's nodes may stand in another pose than its weights were made in, as in a frame of an animation: that one is
-// known by the inverse bind matrices, but for a transform of all of them. The page's joints have positions in it.
+// known by the inverse bind matrices, but for a transform of all of them. What brings the bones nearest to the page's joints is it.
 /** @param {import("three").Object3D} root @param {any[]} bones @param {import("./types.js").Joint[]} joints @returns {any[]} matrices in the space of the root */
 function restsOf(root, bones, joints) {
   const bound = new Map(); // bone: its matrix in the space of its mesh's weights
   root.traverse((/** @type {any} */ { skeleton }) => skeleton?.bones.forEach((/** @type {any} */ bone, /** @type {number} */ k) => bound.has(bone) || bound.set(bone, skeleton.boneInverses[k].clone().invert())));
-  const known = bones.flatMap((bone, j) => (bound.has(bone) ? [[bone, new Vector3().fromArray(joints[j].position)]] : []));
-  const isAll = (/** @type {Matrix4} */ frame) => known.every(([bone, place]) => new Vector3().setFromMatrixPosition(bound.get(bone)).applyMatrix4(frame).distanceTo(place) <= near * (1 + place.length()));
-  const frames = [new Matrix4(), ...known.map(([bone]) => bone.matrixWorld.clone().multiply(bound.get(bone).clone().invert()))];
-  const frame = frames.find(isAll);
-  return bones.map((bone) => (frame && bound.has(bone) ? frame.clone().multiply(bound.get(bone)) : bone?.matrixWorld.clone()));
+  /** @type {(frame: Matrix4) => any[]} */
+  const inFrame = (frame) => bones.map((bone) => (bound.has(bone) ? frame.clone().multiply(bound.get(bone)) : bone?.matrixWorld.clone()));
+  const asNodes = bones.map((bone) => bone?.matrixWorld.clone());
+  const poses = [asNodes, inFrame(new Matrix4()), ...bones.filter((bone) => bound.has(bone)).slice(0, mostFrames).map((bone) => inFrame(bone.matrixWorld.clone().multiply(bound.get(bone).clone().invert())))];
+  const place = new Vector3(), wanted = joints.map(({ position }) => new Vector3().fromArray(position));
+  const errors = poses.map((pose) => pose.reduce((sum, matrix, j) => sum + (matrix ? place.setFromMatrixPosition(matrix).distanceTo(wanted[j]) : 0), 0));
+  return poses[errors.indexOf(Math.min(...errors))];
 }
 
 export class Look {
