@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The character as other programs show it: the GLB that the page would save, read by three.js, with the file's own materials and textures.
-import { LightProbe, Matrix4, PMREMGenerator, SphericalHarmonics3, Vector3 } from "three";
+import { Box3, LightProbe, Matrix4, PMREMGenerator, Quaternion, SphericalHarmonics3, Vector3 } from "three";
 import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 
@@ -13,21 +13,46 @@ const roomHarmonics = [3.7119, 1.7183, 1.6268, 0.2877, 0.2338, 1.0789, 1.2682, -
 const mirrors = (/** @type {any} */ { isMeshStandardMaterial, isMeshPhysicalMaterial, metalness, roughness, roughnessMap }) =>
   isMeshStandardMaterial && (isMeshPhysicalMaterial || metalness > 0 || roughness < 0.5 || roughnessMap);
 
-const mostFrames = 32; // that are tried: roots come first
+const near = 1e-3; // of the size of the skeleton
+const rounds = 100; // of the power iteration
+
+// The similarity transform that brings points nearest to others: Horn, Closed-form solution of absolute orientation using unit quaternions, 1987.
+/** @param {Vector3[]} from @param {Vector3[]} to */
+function similarity(from, to) {
+  const [a, b] = [from, to].map((points) => points.reduce((sum, point) => sum.add(point), new Vector3()).divideScalar(points.length));
+  const m = [0, 0, 0, 0, 0, 0, 0, 0, 0];
+  let [ofFrom, ofTo] = [0, 0];
+  from.forEach((point, i) => {
+    const [p, q] = [point.clone().sub(a).toArray(), to[i].clone().sub(b).toArray()];
+    for (let k = 0; k < 9; ++k) m[k] += p[Math.floor(k / 3)] * q[k % 3];
+    [ofFrom, ofTo] = [ofFrom + p[0] ** 2 + p[1] ** 2 + p[2] ** 2, ofTo + q[0] ** 2 + q[1] ** 2 + q[2] ** 2];
+  });
+  const [xx, xy, xz, yx, yy, yz, zx, zy, zz] = m;
+  const n = [[xx - yy - zz, xy + yx, zx + xz, yz - zy], [xy + yx, yy - xx - zz, yz + zy, zx - xz], [zx + xz, yz + zy, zz - xx - yy, xy - yx], [yz - zy, zx - xz, xy - yx, xx + yy + zz]];
+  const shift = Math.hypot(...n.flat()); // makes the largest eigenvalue the one of the largest absolute value
+  let rotation = new Quaternion(0.1, 0.2, 0.3, 0.9).normalize();
+  for (let i = 0; i < rounds && shift > 0; ++i) {
+    const q = rotation.toArray();
+    rotation = new Quaternion(...n.map((row, k) => row.reduce((sum, x, l) => sum + x * q[l], shift * q[k]))).normalize();
+  }
+  const scale = Math.sqrt(ofTo / (ofFrom || 1));
+  const made = new Matrix4().compose(new Vector3(), rotation, new Vector3(scale, scale, scale));
+  return made.setPosition(b.clone().sub(a.clone().applyMatrix4(made)));
+}
 
 // Where bones are when nothing moves. A file's nodes may stand in another pose than its weights were made in, as in a frame of an animation: that one is
-// known by the inverse bind matrices, but for a transform of all of them. What brings the bones nearest to the page's joints is it.
+// known by the inverse bind matrices, but for a transform of all of them, which brings the bones to the page's joints.
 /** @param {import("three").Object3D} root @param {any[]} bones @param {import("./types.js").Joint[]} joints @returns {any[]} matrices in the space of the root */
 function restsOf(root, bones, joints) {
   const bound = new Map(); // bone: its matrix in the space of its mesh's weights
   root.traverse((/** @type {any} */ { skeleton }) => skeleton?.bones.forEach((/** @type {any} */ bone, /** @type {number} */ k) => bound.has(bone) || bound.set(bone, skeleton.boneInverses[k].clone().invert())));
-  /** @type {(frame: Matrix4) => any[]} */
-  const inFrame = (frame) => bones.map((bone) => (bound.has(bone) ? frame.clone().multiply(bound.get(bone)) : bone?.matrixWorld.clone()));
   const asNodes = bones.map((bone) => bone?.matrixWorld.clone());
-  const poses = [asNodes, inFrame(new Matrix4()), ...bones.filter((bone) => bound.has(bone)).slice(0, mostFrames).map((bone) => inFrame(bone.matrixWorld.clone().multiply(bound.get(bone).clone().invert())))];
-  const place = new Vector3(), wanted = joints.map(({ position }) => new Vector3().fromArray(position));
-  const errors = poses.map((pose) => pose.reduce((sum, matrix, j) => sum + (matrix ? place.setFromMatrixPosition(matrix).distanceTo(wanted[j]) : 0), 0));
-  return poses[errors.indexOf(Math.min(...errors))];
+  const known = bones.flatMap((bone, j) => (bound.has(bone) ? [j] : []));
+  const places = known.map((j) => new Vector3().fromArray(joints[j].position)), placeOf = (/** @type {any} */ matrix) => new Vector3().setFromMatrixPosition(matrix);
+  const size = new Box3().setFromPoints(places).getSize(new Vector3()).length();
+  if (known.every((j, i) => placeOf(asNodes[j]).distanceTo(places[i]) <= near * size)) return asNodes;
+  const frame = similarity(known.map((j) => placeOf(bound.get(bones[j]))), places);
+  return bones.map((bone, j) => (bound.has(bone) ? frame.clone().multiply(bound.get(bone)) : asNodes[j]));
 }
 
 export class Look {
