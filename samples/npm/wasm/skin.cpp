@@ -24,7 +24,7 @@ static_assert(offsetof(sinew_bind_options, locked) == 4 * 14 &&
               offsetof(sinew_bind_outputs, questions_written) == 4 * 9);
 static_assert(offsetof(sinew_rig_options, progress) == 4 * 8 && offsetof(sinew_rig_outputs, used_bytes) == 4 * 14);
 static_assert(sizeof(sinew_map_options) == 4 * 10 && sizeof(sinew_map_outputs) == 4 * 8);
-static_assert(sizeof(sinew_retarget_options) == 5 * 4);
+static_assert(sizeof(sinew_retarget_options) == 6 * 4);
 static_assert(sizeof(sinew_motion_body) == 4 * 8 && sizeof(sinew_motion_clip) == 4 * 6 &&
               sizeof(sinew_contact_options) == 4 * 5 && sizeof(sinew_floor) == 4 * 7 &&
               sizeof(sinew_retarget_stream_options) == 4 * 8);
