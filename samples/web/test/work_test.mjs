@@ -161,8 +161,11 @@ try {
     await page.click("#offer button:has-text('Four legs')");
     await settled();
     assert.deepEqual([await page.locator("#kind").inputValue(), await undoName()], ["2", "new skeleton"]);
+    assert.match(await page.locator("#offer-said").innerText(), /^Is this its front\?/); // a block's is uncertain
+    await page.click("#offer button:has-text('Yes')");
+    await settled();
     assert.match(await page.locator("#offer-said").innerText(), /^\d+ bones/);
-    await page.keyboard.press("Control+z");
+    for (const _ of ["front", "kind"]) await page.keyboard.press("Control+z");
     await settled();
     // A joint outside the body is to be looked at.
     await give(file("biped__robot.obj"));
