@@ -60,28 +60,37 @@ async function secondFile(was) {
   await same(was, "second file");
 }
 
-async function offline(was, act, before) {
-  await browser.context.setOffline(true);
+// One thing more, which is taken back.
+async function worksOn(was, act, before, event) {
   await before?.();
   await act();
   await settled();
   assert.equal(await errorLine(), "");
-  assert.ok(!(await saved()).equals(was), "offline: it works on");
+  assert.ok(!(await saved()).equals(was), `${event}: it works on`);
   await key("Control+z");
-  await same(was, "offline");
+  await same(was, `${event}, undone`);
+}
+
+async function offline(was, act, before) {
+  await browser.context.setOffline(true);
+  await worksOn(was, act, before, "offline");
   await browser.context.setOffline(false);
 }
 
 // The worker ends by itself with the next call that it gets.
-async function crashes(was, act, before) {
-  const done = await undoName();
-  await before?.();
+async function failNext() {
   const worker = page.workers().find((one) => one.url().endsWith("worker.js"));
   await worker.evaluate(() => {
     self.onmessage = () => setTimeout(() => {
       throw new Error("out of luck");
     });
   });
+}
+
+async function crashes(was, act, before) {
+  const done = await undoName();
+  await before?.();
+  await failNext();
   await act();
   await settled();
   assert.match(await errorLine(), /^The engine failed \(.*out of luck\)\. Your character is as it was before that\.$/);
@@ -89,13 +98,7 @@ async function crashes(was, act, before) {
   await page.keyboard.press("Escape");
   assert.equal(await undoName(), done);
   await same(was, "crash");
-  await before?.();
-  await act();
-  await settled();
-  assert.equal(await errorLine(), "");
-  assert.ok(!(await saved()).equals(was), "crash: it works on");
-  await key("Control+z");
-  await same(was, "crash, undone");
+  await worksOn(was, act, before, "crash");
 }
 
 // What is done in each step, and one thing more, which is taken back.
@@ -178,12 +181,7 @@ try {
       names.push(await undoName());
     }
     await go("mesh");
-    const worker = page.workers().find((one) => one.url().endsWith("worker.js"));
-    await worker.evaluate(() => {
-      self.onmessage = () => setTimeout(() => {
-        throw new Error("out of luck");
-      });
-    });
+    await failNext();
     await page.check("#floor");
     await settled();
     assert.match(await errorLine(), /^The engine failed/);
