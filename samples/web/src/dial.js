@@ -73,6 +73,7 @@ export function placementText(character, told) {
 function dotsOf(positions, upAxis) {
   const { right, near, sign } = planes[upAxis];
   const step = 3 * Math.max(1, Math.ceil(positions.length / 3 / mostPoints));
+  /** @type {number[][]} */
   const points = [];
   for (let v = 0; v < positions.length; v += step) points.push([positions[v + right], sign * positions[v + near]]);
   const [low, high] = [Math.min, Math.max].map((most) => [0, 1].map((i) => points.reduce((sum, point) => most(sum, point[i]), points[0][i])));
@@ -118,6 +119,7 @@ export class PlacementDial {
   }
 
   // character: the open one, or null.
+  /** @param {any} character */
   show(character) {
     this.#character = character;
     const { placeable = false, upAxis = 0, source = null } = character ?? {};
