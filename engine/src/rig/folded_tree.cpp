@@ -25,6 +25,7 @@ constexpr int32_t kEndSnap = side_share(400);      // an end of a joint on the p
 constexpr int32_t kEndDistance = side_share(120);  // from an end to any joint
 constexpr uint32_t kEndSeeds = 12;
 constexpr int32_t kHandReach = side_share(600);  // no arm goes on farther behind a hand
+constexpr int32_t kOnBone = side_share(200);     // from a joint to the bone that it lies on
 constexpr int64_t kOneSided = 8;                 // times as many votes from one side as from the other,
 constexpr int64_t kChanceVotes = 16384;          // and Q15 votes more than come about by chance
 class FoldedTreeBuilder {
@@ -63,6 +64,7 @@ class FoldedTreeBuilder {
       settle_limbs(votes, &tree_);
     }
     find_ends();
+    divide_bones();
   }
 
  private:
@@ -322,6 +324,50 @@ class FoldedTreeBuilder {
       tree_.nodes[j].has_end = true;
       tree_.nodes[j].end = end;
       tree_.nodes[j].end_confidence = static_cast<uint16_t>(trust / tips_[j]);
+    }
+  }
+
+  // A childless joint without an end that lies on a bone of its limb, and whose class stands between those of the
+  // bone's two ends, divides that bone. It was left over, because the two have more votes for each other than either
+  // has for the joint between them.
+  SINEW_RARE void divide_bones() {
+    for (uint32_t j = 0; j < tree_.count; ++j) {
+      FoldedNode& node = tree_.nodes[j];
+      bool left_over = node.parent >= 0 && !node.has_end;
+      for (uint32_t k = 0; k < tree_.count; ++k)
+        left_over = left_over && tree_.nodes[k].parent != static_cast<int16_t>(j);
+      int64_t nearest = square(int64_t{kOnBone});
+      uint32_t divided = kNoIndex;  // twice the joint whose bone ends at another's or in it, and 1 for its own end
+      for (uint32_t i = 0; left_over && i < 2 * tree_.count; ++i) {
+        const uint32_t k = i / 2;
+        const FoldedNode& other = tree_.nodes[k];
+        const bool at_end = i % 2 != 0;
+        if (k == j || (at_end ? !other.has_end : other.parent < 0) || tree_.beside(k) != tree_.beside(j) ||
+            tree_.only(k) != tree_.only(j) || limb_of(other.joint_class) != limb_of(node.joint_class))
+          continue;
+        const FoldedNode& above = at_end ? other : tree_.nodes[other.parent];
+        if (above.joint_class > node.joint_class || (!at_end && node.joint_class > other.joint_class)) continue;
+        const Vec3i bone = (at_end ? other.end : other.at) - above.at, way = node.at - above.at;
+        const int64_t whole = dot(bone, bone), along = dot(way, bone);
+        if (along <= 0 || along >= whole) continue;
+        const int64_t off = dot(way, way) - square(along >> 11) / ((whole >> 22) + 1);
+        if (off >= nearest) continue;
+        nearest = off;
+        divided = i;
+      }
+      if (divided == kNoIndex) continue;
+      FoldedNode& other = tree_.nodes[divided / 2];
+      if (divided % 2 != 0) {
+        node.has_end = true;
+        node.end = other.end;
+        node.end_confidence = other.end_confidence;
+        other.has_end = false;
+        node.parent = static_cast<int16_t>(divided / 2);
+      } else {
+        node.parent = other.parent;
+        node.parent_confidence = other.parent_confidence;
+        other.parent = static_cast<int16_t>(j);
+      }
     }
   }
 

@@ -121,6 +121,31 @@ TEST(FoldedTree, ConfidenceIsTheTrustInTheVotesAndNoneWhereThereAreNone) {
   EXPECT_GT(grown.node(1).parent_confidence, 8 * grown.node(2).parent_confidence) << "voted for against far and alone";
 }
 
+TEST(FoldedTree, AJointThatIsLeftOverOnABoneOfItsLimbDividesTheBone) {
+  const std::vector<KnownJoint> known = known_humanoid();
+  std::vector<int> kept;
+  std::vector<FoldedJoint> joints = joints_of(known, &kept);
+  const auto number_of = [&](uint32_t joint_class) {
+    return std::find_if(joints.begin(), joints.end(),
+                        [&](const FoldedJoint& j) { return j.joint_class == joint_class; }) -
+           joints.begin();
+  };
+  const auto arm = number_of(kClassUpperArm), forearm = number_of(kClassForearm), toe = number_of(kClassToe);
+  const auto in_arm = static_cast<std::ptrdiff_t>(joints.size());
+  joints.push_back(joint_at(.20, .795, 0, kClassUpperArm));
+  joints.push_back(joint_at(.07, .022, .12, kClassToe));
+  joints.push_back(joint_at(.10, .385, 0, kClassThigh));  // 3 % beside the thigh's
+  const GrownTree grown(votes_for(known, 60, 0.004, 2), joints);
+  const auto node = [&](std::ptrdiff_t j) { return grown.node(static_cast<size_t>(j)); };
+  EXPECT_EQ(node(in_arm).parent, arm);
+  EXPECT_EQ(node(forearm).parent, in_arm);
+  EXPECT_EQ(node(in_arm + 1).parent, toe);
+  EXPECT_TRUE(node(in_arm + 1).has_end) << "the end goes on from the joint that divides the bone";
+  EXPECT_FALSE(node(toe).has_end);
+  EXPECT_NEAR(node(in_arm + 1).end.z, grid_point(.07, .02, .15).z, grid_point(0, 0, .006).z);
+  EXPECT_EQ(node(number_of(kClassCalf)).parent, number_of(kClassThigh));
+}
+
 TEST(FoldedTree, TheRootIsTheHeaviestPelvisOnThePlane) {
   for (const int heavy : {0, 1}) {
     VoteScene scene;
