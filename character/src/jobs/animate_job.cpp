@@ -135,8 +135,18 @@ AnimatedCharacter animated_character(Character character, const std::string& pat
   return out;
 }
 
+namespace {
+
+// What programs call a clip that nobody named.
+bool is_unnamed(const std::string& clip) {
+  return clip.empty() || clip.find("mixamo.com") != std::string::npos || clip == "Take 001" || clip == "Unreal Take" ||
+         clip == "Default Take";
+}
+
+}  // namespace
+
 void name_clips(const std::string& file, bool always, const Motion& made, Motion* motion) {
-  bool taken = always;
+  bool taken = always || (motion->clips.size() == 1 && is_unnamed(motion->clips.front().name));
   for (const Clip& clip : motion->clips)
     for (const Clip& other : made.clips) taken = taken || other.name == clip.name;
   if (!taken) return;

@@ -2,6 +2,7 @@
 // A sheet is drawn, its drawing is rigged, and the joints come back to the sheet.
 #include "jobs/sheet_skeleton.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -63,6 +64,7 @@ std::optional<PredictedSkeleton> sheet_skeleton(const RigJobOptions& job, const 
   SeenBody seen =
       see_body(drawing.round_mesh(), body, class_of_outline(drawing.figure().mask), job, bodies, &character->notes);
   PredictedSkeleton made = std::move(seen.skeleton);
+  made.usable = std::min(made.usable.value_or(1.0f), seen.certainty);  // no better than the guess of what it is
   for (Joint& joint : made.joints) joint.position = axes->from(joint.position);
   const Point3 front = seen.view == PictureView::kFront        ? axes->near
                        : seen.view == PictureView::kFacesRight ? axes->right

@@ -80,7 +80,8 @@ using StepsOf = std::function<std::function<bool()>(size_t steps)>;
 // Reads a bound character; a mesh without a skeleton is rigged by the bundled models. Throws Error, which begins with
 // `path`, for a skeleton without weights.
 AnimatedCharacter animated_character(Character character, const std::string& path);
-// Renames clips by their file if a clip of an earlier file has the same name, or always with `always`.
+// Renames clips by their file if a clip of an earlier file has the same name, if the only one has a name that programs give by
+// themselves ("mixamo.com", "Take 001"), or always with `always`.
 //   made  the result so far
 void name_clips(const std::string& file, bool always, const Motion& made, Motion* motion);
 void add_motion(const AnimateOptions& options, const MotionInput& input, const StepsOf& steps, AnimatedCharacter* out);
