@@ -7,11 +7,13 @@ export const shipped = ["walk", "run", "idle", "wave", "jump", "sit", "squat", "
 const legs = /leg|thigh|shin|knee|foot|hoof|paw/i, wings = /wing/i;
 /** @type {(joints: Joint[]) => boolean} */
 export const hasLegs = (joints) => joints.some(({ name }) => legs.test(name));
+/** @type {(joints: Joint[]) => boolean} */
+export const hasWings = (joints) => joints.some(({ name }) => wings.test(name));
 
 // Those that show how such a body gets about, the likeliest first.
 /** @type {(joints: Joint[]) => string[]} */
 export function gaitsOf(joints) {
-  const first = joints.some(({ name }) => wings.test(name)) ? "strut" : hasLegs(joints) ? "walk" : "swim";
+  const first = hasWings(joints) ? "strut" : hasLegs(joints) ? "walk" : "swim";
   return [...new Set([first, "walk", "crawl", "swim"])];
 }
 

@@ -165,17 +165,14 @@ function gathered(json, views) {
   return joined(used.flatMap((number) => [views[number], new Uint8Array((8 - (views[number].length % 8)) % 8)]));
 }
 
-// Which decoders a file needs: of {draco, meshopt}.
-/** @param {string} name @param {Uint8Array} bytes @returns {{ draco: boolean, meshopt: boolean }} */
-export function compressionOf(name, bytes) {
-  const used = fileKind(name)?.reader === "gltf" ? parsed(bytes)?.json.extensionsUsed : [];
-  return { draco: Boolean(used?.includes?.(draco)), meshopt: Boolean(used?.includes?.(meshopt)) };
-}
-
-// The same file without compression, as GLB. fileNamed: bytes of a file beside it. Throws Error for what the decoders do not read.
-/** @param {{ draco: any, meshopt: any }} decoders @param {Uint8Array} bytes @param {(name: string) => Uint8Array} fileNamed @returns {Uint8Array} */
-export function uncompressed(decoders, bytes, fileNamed) {
-  const { json, bin } = /** @type {Gltf} */ (parsed(bytes));
+// The same file without compression, as GLB; null: it is none that is compressed. decodersFor: gives the decoders that a file needs, of {draco, meshopt}. fileNamed: bytes of a file
+// beside it. Throws Error for what the decoders do not read.
+/** @param {string} name @param {Uint8Array} bytes @param {(needs: { draco: boolean, meshopt: boolean }) => Promise<{ draco: any, meshopt: any }>} decodersFor @param {(name: string) => Uint8Array} fileNamed @returns {Promise<Uint8Array | null>} */
+export async function uncompressed(name, bytes, decodersFor, fileNamed) {
+  const file = fileKind(name)?.reader === "gltf" ? parsed(bytes) : null, used = file?.json.extensionsUsed ?? [];
+  const needs = { draco: Boolean(used.includes?.(draco)), meshopt: Boolean(used.includes?.(meshopt)) };
+  if (!file || (!needs.draco && !needs.meshopt)) return null;
+  const { json, bin } = file, decoders = await decodersFor(needs);
   /** @type {Map<number, Uint8Array>} */
   const buffers = new Map();
   /** @type {(number: number) => Uint8Array} */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The dial in the step Mesh: the character from above with its front, which a drag of the arrow sets; beside it what the engine found for up and front, and how sure it is.
 import { $, all } from "./elements.js";
+import { extentsOf } from "./sides.js";
 
 // The horizontal axes of the picture, seen from above: to its right, and toward who looks from the front.
 /** @type {Record<number, { right: number, near: number, sign: number }>} */
@@ -11,6 +12,7 @@ const fronts = { 0: [1, 3, 2, 4], 1: [6, 3, 5, 4] };
 /** @type {Record<number, string[]>} */
 const names = { 0: ["+Z", "+X", "−Z", "−X"], 1: ["−Y", "+X", "+Y", "−X"] };
 const mostPoints = 3000; // of the picture
+const flat = 0.05; // of the longest side: who is less wide from the front is seen on edge
 const radius = 34; // of the picture in the dial, whose half side is 60
 
 export const doubtful = 0.7; // below this probability the engine warns, see kCoinToss
@@ -47,6 +49,25 @@ export function frontFound({ predicted, front, frontSure, joints, upAxis }, told
   if (predicted) return front ? { front, sure: frontSure, told: told !== 0 } : null;
   const ofJoints = frontOfJoints(joints, upAxis);
   return ofJoints && { front: ofJoints, sure: 1, told: false };
+}
+
+// The quarter that a character faces, and whether it is flat and seen on edge from there.
+/** @param {any} character */
+function facedQuarter(character) {
+  const { picture, upAxis, buffers } = character, found = picture ? null : frontFound(character, 0);
+  if (!found) return { quarter: 0, isEdge: false };
+  const quarter = quarterOf(angleOf(found.front, upAxis)), { right, near } = planes[upAxis], sides = extentsOf(buffers.positions);
+  return { quarter, isEdge: sides[quarter % 2 === 0 ? right : near] < flat * Math.max(...sides) };
+}
+
+/** @param {any} character */
+export const isSeenOnEdge = (character) => facedQuarter(character).isEdge;
+
+// From where a character is looked at, radians from the viewer to the picture's right: from its front, and one that is flat from beside its plane.
+/** @param {any} character */
+export function facingOf(character) {
+  const { quarter, isEdge } = facedQuarter(character);
+  return ((isEdge ? (quarter + 1) % 2 : quarter) * Math.PI) / 2;
 }
 
 // What is to be settled before the bones can be right: "up", "front".

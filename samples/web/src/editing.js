@@ -3,6 +3,7 @@
 import { lookNowhere } from "./asked.js";
 import { bind } from "./binding.js";
 import { hasLegs } from "./builtin_clips.js";
+import { facingOf } from "./dial.js";
 import { showLegend, showSure } from "./colours.js";
 import { run, showError, whileBusy } from "./jobs.js";
 import { Latest } from "./latest.js";
@@ -51,6 +52,7 @@ function useRig({ joints, picture, ...rig }, chosen) {
   source.answers = answersFor(source.answers, at.character.joints, joints, kinds.rigid);
   Object.assign(at.character, { mirrored: false, doubtful: false, front: null, frontSure: 1, upSure: 1, upAxis: upOf(rig, at.character.up) }, rig, { joints });
   at.view.setUp(at.character.upAxis);
+  at.view.face(facingOf(at.character));
   lookNowhere();
   at.character.suspects = at.character.predicted ? [...jointsOutside(joints, at.character.buffers, at.character.size), ...missingTail(joints, at.character.upAxis === 1 ? 2 : 1)] : [];
   if (isSame) {
@@ -86,18 +88,21 @@ const marked = (markers) => ({ at: markers.map(({ joint, place }) => ({ kind: ed
 const kindsAsked = { Person: "1", "Four legs": "2", Bird: "3" }; // of #kind
 const longAsSnakes = 4; // times as long as wide and high
 
-// A mesh in which no legs were found, or that is like nothing known: the user may know what it is.
-function askKind() {
+// Whether the user is asked what the body is: no legs were found in it, or it is like nothing known.
+function asksKind() {
   const { joints, doubtful, picture, buffers } = at.character;
-  const isLegged = hasLegs(joints);
   const [longest, next] = sidesOf(buffers.positions);
-  if (picture || (isLegged && !doubtful) || longest > longAsSnakes * next) return;
+  return !picture && (doubtful || (!hasLegs(joints) && longest <= longAsSnakes * next));
+}
+
+/** @param {string} why */
+export function askKind(why) {
   const rigAs = (/** @type {string} */ kind) => () => {
     $("kind").value = kind;
     $("kind").dispatchEvent(new Event("change"));
     at.onKind();
   };
-  offer(isLegged ? "This mesh is hard to recognize. What is it?" : "No legs were found. What is it?", {
+  offer(`${why}What is it?`, {
     ...Object.fromEntries(Object.entries(kindsAsked).map(([word, kind]) => [word, rigAs(kind)])), Other: () => {},
   });
 }
@@ -110,7 +115,7 @@ export async function predict(wishes = at.editor.wishes) {
   rigChanged();
   useRig(rig, chosen);
   closeOffer();
-  if (!told.category) askKind();
+  if (!told.category && asksKind()) askKind(hasLegs(at.character.joints) ? "This mesh is hard to recognize. " : "No legs were found. ");
 }
 
 const withEdits = ({ wishes, edits }, more, mirror) => ({ wishes, edits: [...edits, { edits: more, mirror }] });

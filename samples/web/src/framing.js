@@ -105,19 +105,18 @@ export function middleOfJoints(positions) {
 
 /**
  * What a clip takes up, in the model's axes: the mesh reaches beyond its joints, at rest and in motion.
- * @param {{ is: number[][], around: number[][] }} room of the module, what the joints take up; the camera goes along with them over the floor
+ * @param {{ is: number[][], around: number[][], rest: number[][] }} room of the module, what the joints take up; the camera goes along with them over the floor
  * @param {number} up the axis, 1 or 2
  * @param {Float32Array} joints [J x 3] at rest
  * @param {Box3} mesh at rest
  */
-export function boxOfClip({ is, around }, up, joints, mesh) {
+export function boxOfClip({ is, around, rest }, up, joints, mesh) {
   const middle = middleOfJoints(joints);
-  const rest = new Box3().setFromArray(joints);
   const box = new Box3();
   for (const i of [0, 1, 2]) {
     const [least, most] = i === up ? is[i] : around[i].map((x) => x + middle.getComponent(i));
-    box.min.setComponent(i, least - Math.max(0, rest.min.getComponent(i) - mesh.min.getComponent(i)));
-    box.max.setComponent(i, most + Math.max(0, mesh.max.getComponent(i) - rest.max.getComponent(i)));
+    box.min.setComponent(i, least - Math.max(0, rest[i][0] - mesh.min.getComponent(i)));
+    box.max.setComponent(i, most + Math.max(0, mesh.max.getComponent(i) - rest[i][1]));
   }
   return { box, middle };
 }

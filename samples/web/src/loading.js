@@ -4,6 +4,7 @@ import { useStyle, useStyleAnswers } from "./asking.js";
 import { saveWork } from "./autosave.js";
 import { bind } from "./binding.js";
 import { act } from "./acting.js";
+import { colour } from "./colours.js";
 import { restore } from "./commands.js";
 import { forgetDocuments, giveFiles, newDocument } from "./documents.js";
 import { showSkeleton, upOf } from "./editing.js";
@@ -228,6 +229,7 @@ export async function load(source, state = null) {
   setStep(source.step ?? firstStep(at.character, Boolean(at.player.motion)), { view: false });
   showHistory();
   at.lastDone = source;
+  if (at.player.motion?.own) at.view.frameClip(at.player.motion.clips[at.player.clip].room, at.character.upAxis);
   await sendPose();
   if (wanted || loaded.picture) return;
   if (at.character.predicted) await showFound();
@@ -263,6 +265,7 @@ export const changeMotion = (name, change) => act(name, async () => (await chang
 async function playMotions(names) {
   await at.motions.add(names);
   setStep("motion");
+  await colour();
   at.view.frameClip(at.player.motion.clips[at.player.clip].room, at.character.upAxis);
   await sendPose();
   record(names.length === 1 ? `motion ${names[0]}` : `${names.length} motions`);

@@ -52,9 +52,7 @@ engine.onProgress = (share) => {
 
 function turnPicture(id) {
   if (!at.character) return;
-  const [x, y, z] = views[id];
-  const turns = at.character.axis === 2 ? [z, y, x] : [x, y, z]; // it faces along x
-  at.view.frame(turns);
+  at.view.frame(views[id]);
 }
 
 function listenForFiles() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the module has just opened, as the page shows it.
 import { listQuestions, lookNowhere } from "./asked.js";
+import { facingOf } from "./dial.js";
 import { showSkeleton, upOf } from "./editing.js";
 import { whileBusy } from "./jobs.js";
 import { closeOffer } from "./offer.js";
@@ -63,6 +64,7 @@ export function showOpened(loaded) {
   at.dragged = null;
   lookNowhere();
   at.view.setCharacter({ ...loaded.buffers, joints: loaded.joints, upAxis: at.character.upAxis });
+  at.view.face(facingOf(at.character));
   at.mode = modes.material;
   at.modeChosen = false;
   $("search").value = "";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The panel that plays motions: clips, time and speed. What a frame looks like is the page's business.
 import { $, isStill } from "./elements.js";
+import { sentenceOf } from "./sentences.js";
 
 export class MotionPlayer {
   /** @type {(...of: any[]) => any} */
@@ -80,6 +81,8 @@ export class MotionPlayer {
     const { file, mapped, how, notes } = this.fileOfClip;
     about.textContent = `${file.replace(/^builtin:/, "")}: moves ${mapped} of ${this.#motion.joints} bones, matched by ${how}.`;
     about.title = [about.textContent, ...notes].join("\n");
+    const warnings = /** @type {string[]} */ (notes).filter((note) => note.startsWith("warning: "));
+    about.append(...warnings.map((note) => ` ${sentenceOf(note.replace(`${file}: `, ""))}`));
   }
 
   // At once, where the system has not asked for stillness.

@@ -3,10 +3,10 @@
 // says then what was found and leads on. Where the system asks for stillness nothing moves, and only the bar comes.
 import { useStyleAnswers } from "./asking.js";
 import { bind } from "./binding.js";
-import { gaitsOf, isForThisBody } from "./builtin_clips.js";
+import { gaitsOf, hasWings, isForThisBody } from "./builtin_clips.js";
 import { colour } from "./colours.js";
-import { angleOf, frontAt, placementDoubts, quarterOf } from "./dial.js";
-import { predict } from "./editing.js";
+import { angleOf, frontAt, isSeenOnEdge, placementDoubts, quarterOf } from "./dial.js";
+import { askKind, predict } from "./editing.js";
 import { isStill } from "./elements.js";
 import { run, whileBusy } from "./jobs.js";
 import { offer } from "./offer.js";
@@ -91,28 +91,30 @@ export async function showFound() {
   await colour();
   if (at.player.motion) at.player.start();
   if (!$("offer").hidden) return document.body.classList.remove("revealed"); // a question comes first
-  if (placementDoubts(at.character).includes("front")) return askFront();
+  if (placementDoubts(at.character).includes("front") && !isSeenOnEdge(at.character)) return askFront();
   showBones();
 }
 
 // Left and right may be exchanged: whoever looks at it knows.
 function askFront() {
   const { upAxis, front, frontSure } = at.character;
-  const angle = angleOf(front, upAxis), quarter = quarterOf(angle);
+  const quarter = quarterOf(angleOf(front, upAxis));
   const facing = (/** @type {number} */ other) => () => {
     setFront(frontAt((quarter + other) % 4, upAxis));
     at.onKind();
   };
-  at.view.frame([Math.sin(angle), 0.15, Math.cos(angle)]);
+  at.view.frame([0, 0.15, 1]);
   offer(`Is this its front? I am only ${Math.round(100 * frontSure)} % sure, and left and right depend on it.`, {
     Yes: facing(0), "No, its back": facing(2), "No, a side": () => goTo("mesh"),
   });
 }
 
 function showBones() {
-  const doubts = doubtsOf(), bones = counted(at.character.joints.length, "bone");
-  const ways = { "Choose animations": () => goTo("motion"), "Fix bones": () => goTo("skeleton"), Export: () => goTo("export") };
-  const check = () => (goTo("skeleton"), nextDoubt());
-  if (doubts.length > 0) offer(`${bones}, ${counted(doubts.length, "limb")} to check: ${doubts.map(({ name }) => name).join(", ")}.`, { "Check them": check, "Choose animations": ways["Choose animations"], Export: ways.Export }, { leads: true });
-  else offer(`${bones}, ${at.character.doubtful ? "but this mesh is hard to recognize. Check them." : "all sure."}`, ways, { leads: true });
+  const { joints, doubtful, source } = at.character, doubts = doubtsOf();
+  const isBird = hasWings(joints) && !source.recipe.wishes?.category; // taken for one
+  const found = `${isBird ? "Taken for a bird. " : ""}${counted(joints.length, "bone")}`;
+  const animate = { "Choose animations": () => goTo("motion") };
+  const others = { Export: () => goTo("export"), ...(isBird && { "Not a bird": () => askKind("") }) };
+  if (doubts.length > 0) offer(`${found}, ${counted(doubts.length, "limb")} to check: ${doubts.map(({ name }) => name).join(", ")}.`, { "Check them": () => (goTo("skeleton"), nextDoubt()), ...animate, ...others }, { leads: true });
+  else offer(`${found}, ${doubtful ? "but this mesh is hard to recognize. Check them." : "all sure."}`, { ...animate, "Fix bones": () => goTo("skeleton"), ...others }, { leads: true });
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Small pictures of the character alone: of a part that a question is about, orange on gray, and of poses of a clip.
 import { Box3, DirectionalLight, HemisphereLight, MathUtils, NoToneMapping, PerspectiveCamera, SRGBColorSpace, Vector3, WebGLRenderTarget } from "three";
-import { slanted } from "./framing.js";
 
 const part = [0.87, 0.19, 0.007]; // linear
 const rest = [0.3, 0.32, 0.36];
@@ -34,7 +33,7 @@ function stripOf(renderer, [width, height], draws) {
   return canvas.toDataURL();
 }
 
-/** @typedef {{ renderer: import("three").WebGLRenderer, scene: import("three").Scene, model: import("three").Object3D }} Of */
+/** @typedef {{ renderer: import("three").WebGLRenderer, scene: import("three").Scene, model: import("three").Object3D, from: number[] }} Of from: the direction that the camera is in */
 
 // Nothing but that part of the model is visible while `use` runs, and no light but its own.
 /**
@@ -55,11 +54,11 @@ function alone({ scene, model }, shown, use) {
   }
 }
 
-// Draws a ball of the scene from the usual slanted side.
+// Draws a ball of the scene.
 /** @param {Of} of @param {Vector3} centre @param {number} radius @param {number} aspect @param {import("three").Light[]} lights */
-function drawAt({ renderer, scene }, centre, radius, aspect, lights) {
+function drawAt({ renderer, scene, from }, centre, radius, aspect, lights) {
   const camera = new PerspectiveCamera(35, aspect, radius / 200, radius * 200);
-  camera.position.copy(centre).addScaledVector(new Vector3().fromArray(slanted).normalize(), radius / Math.sin((camera.fov * MathUtils.DEG2RAD) / 2));
+  camera.position.copy(centre).addScaledVector(new Vector3().fromArray(from).normalize(), radius / Math.sin((camera.fov * MathUtils.DEG2RAD) / 2));
   camera.lookAt(centre);
   for (const light of lights) camera.add(light);
   lights[0].position.set(0.6, 0.9, 0.7);

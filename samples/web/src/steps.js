@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The five steps of a character: one is worked on at a time, the panel has what it needs and nothing else.
 import { autosave } from "./autosave.js";
+import { fillClipPictures } from "./clip_pictures.js";
 import { colour } from "./colours.js";
 import { showDrawing } from "./drawn.js";
 import { setEditing, showSkeleton } from "./editing.js";
@@ -28,6 +29,7 @@ export function setStep(step, { view = true } = {}) {
   showDrawing();
   showSkeleton();
   at.onStep();
+  fillClipPictures();
   if (step === "motion" && at.character.result) run(() => at.springs.again());
   else at.drag.show();
 }

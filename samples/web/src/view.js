@@ -34,6 +34,7 @@ export class View extends ViewEvents {
 
   #stage;
   #framing;
+  #facing = 0; // see face()
   #rings;
   #model = new Group(); // turned when Z is up
   #pointer;
@@ -291,15 +292,29 @@ export class View extends ViewEvents {
     this.#showParts();
   }
 
+  // Which way the character faces, radians from the picture's +z to its +x: it is looked at from there.
+  face(angle) {
+    if (angle === this.#facing) return;
+    this.#facing = angle;
+    if (this.#mesh && this.#framing.untouched && !this.#outline.shown) this.frame();
+  }
+
+  // A direction before the character's front as one in the picture's axes.
+  /** @param {number[]} direction @returns {number[]} */
+  #before([right, up, ahead]) {
+    const [sin, cos] = [Math.sin(this.#facing), Math.cos(this.#facing)];
+    return [right * cos + ahead * sin, up, ahead * cos - right * sin];
+  }
+
   // Brings the character, as it is posed now, into view.
-  // from: the direction that the camera is in, in the picture's axes.
+  // from: the direction that the camera is in: to the right of who looks at its front, up, ahead of it.
   frame(from = slanted) {
     if (this.#outline.shown) {
       this.#framing.startAt(null);
       return this.#frameBox(new Box3().setFromArray(this.#outline.handles.flatMap(({ place }) => place)), [0, 0, 1]);
     }
     this.#mesh.geometry.computeBoundingBox();
-    this.#frameBox(this.#mesh.geometry.boundingBox.clone().applyMatrix4(this.#model.matrixWorld), from);
+    this.#frameBox(this.#mesh.geometry.boundingBox.clone().applyMatrix4(this.#model.matrixWorld), this.#before(from));
   }
 
   // Where nobody moved the camera, with the room that the present step's buttons leave.
@@ -317,7 +332,7 @@ export class View extends ViewEvents {
   frameClip(room, upAxis) {
     const { box, middle } = boxOfClip(room, upAxis === 1 ? 2 : 1, Float32Array.from(this.#joints.flatMap(({ position }) => position)), this.#restBox);
     this.#framing.startAt(middle.applyMatrix4(this.#model.matrixWorld));
-    this.#frameBox(box.applyMatrix4(this.#model.matrixWorld), slanted);
+    this.#frameBox(box.applyMatrix4(this.#model.matrixWorld), this.#before(slanted));
   }
 
   redraw() {
@@ -333,7 +348,7 @@ export class View extends ViewEvents {
     const box = new Box3();
     for (const joint of joints) box.expandByPoint(new Vector3().fromArray(this.#jointPositions, joint * 3));
     box.expandByScalar(0.08 * this.#restBox.getSize(new Vector3()).length());
-    this.#frameBox(box.applyMatrix4(this.#model.matrixWorld), slanted);
+    this.#frameBox(box.applyMatrix4(this.#model.matrixWorld), this.#before(slanted));
     this.hold();
   }
 
@@ -369,7 +384,7 @@ export class View extends ViewEvents {
   // A picture of a part at rest, orange on the rest: the address of a PNG. members: see Questions; vertexOf: of shown vertices; null where there is none.
   pictureOf(members, vertexOf) {
     const { renderer, scene } = this.#stage;
-    const url = pictureOfPart({ renderer, scene, model: this.#model, mesh: this.#mesh, radius: this.#framing.radius }, members, vertexOf);
+    const url = pictureOfPart({ renderer, scene, model: this.#model, from: this.#before(slanted), mesh: this.#mesh, radius: this.#framing.radius }, members, vertexOf);
     this.redraw();
     return url;
   }
@@ -377,7 +392,7 @@ export class View extends ViewEvents {
   // A strip of small pictures of the file's look in poses. poses: [{palette, jointPositions}].
   pictureOfPoses(poses) {
     const { renderer, scene } = this.#stage, look = this.#look;
-    const url = pictureOfPoses({ renderer, scene, model: this.#model, shown: look.root, box: this.#restBox }, poses.map(({ palette, jointPositions }) => ({ pose: () => look.pose(palette), middle: middleOfJoints(jointPositions) })));
+    const url = pictureOfPoses({ renderer, scene, model: this.#model, from: this.#before(slanted), shown: look.root, box: this.#restBox }, poses.map(({ palette, jointPositions }) => ({ pose: () => look.pose(palette), middle: middleOfJoints(jointPositions) })));
     if (this.#palette) look.pose(this.#palette);
     this.redraw();
     return url;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs the module beside the page, so that binding never stops the picture. Messages in: {id, call, ...}; out: {id,
 // reply, buffers} or {progress}.
-import { compressionOf, uncompressed } from "./compressed.js";
+import { uncompressed } from "./compressed.js";
 import { compile, hasExceptions, hasSimd } from "@sinew/skin/loader";
 import { isScene, readScenesBy } from "@sinew/skin/scenes";
 import { fetchPacked } from "./packed.js";
@@ -37,18 +37,19 @@ function needScenes(name) {
 // What reads compressed glTF, once there is such a file.
 /** @type {{ draco: Promise<any> | null, meshopt: Promise<any> | null }} */
 const decoders = { draco: null, meshopt: null };
-/** @param {string} name @param {Uint8Array} bytes */
-async function plainGltf(name, bytes) {
-  const needs = compressionOf(name, bytes);
-  if (!needs.draco && !needs.meshopt) return bytes;
+/** @param {{ draco: boolean, meshopt: boolean }} needs */
+async function decodersFor(needs) {
   if (needs.draco) decoders.draco ??= Promise.all([import("sinew-draco"), fetchPacked("sinew-draco.wasm")]).then(([glue, wasmBinary]) => glue.default({ wasmBinary }));
   if (needs.meshopt) decoders.meshopt ??= import("three/addons/libs/meshopt_decoder.module.js").then(({ MeshoptDecoder }) => MeshoptDecoder.ready.then(() => MeshoptDecoder));
+  return { draco: needs.draco && (await decoders.draco), meshopt: needs.meshopt && (await decoders.meshopt) };
+}
+/** @param {string} name @param {Uint8Array} bytes */
+async function plainGltf(name, bytes) {
   try {
-    const [draco, ofMeshopt] = await Promise.all([decoders.draco, decoders.meshopt]);
-    return uncompressed({ draco: needs.draco && draco, meshopt: needs.meshopt && ofMeshopt }, bytes, (beside) => module.FS.readFile(plain(beside)));
+    return await uncompressed(name, bytes, decodersFor, (beside) => module.FS.readFile(plain(beside)));
   } catch (error) {
     Object.assign(decoders, { draco: null, meshopt: null }); // the next file asks again
-    throw new Error(`${name}: its geometry is compressed by ${needs.draco ? "Draco" : "meshoptimizer"} and could not be unpacked (${error?.message || error}). Export it without compression`, { cause: error });
+    throw new Error(`${name}: its geometry is compressed and could not be unpacked (${error?.message || error}). Export it without compression`, { cause: error });
   }
 }
 
@@ -149,8 +150,8 @@ const calls = {
   async write({ files }) {
     for (const { name, bytes } of files) module.FS.writeFile(plain(name), new Uint8Array(bytes));
     for (const { name, bytes } of files) { // what they refer to is there
-      const own = new Uint8Array(bytes), made = await plainGltf(name, own);
-      if (made !== own) module.FS.writeFile(plain(name), made);
+      const made = await plainGltf(name, new Uint8Array(bytes));
+      if (made) module.FS.writeFile(plain(name), made);
     }
   },
   // Folders of documents and numbers of characters that are open no more.

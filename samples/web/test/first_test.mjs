@@ -7,7 +7,7 @@ import { existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { cpus, loadavg } from "node:os";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
-import { made, startPage } from "./page.mjs";
+import { fileOf, made, startPage } from "./page.mjs";
 
 const { dist, data, server, browser, page, at, command, file, settled, shoot, errorLine, give, downloaded, go, choose, step } = await startPage("first_");
 const walks = () => page.waitForFunction(() => document.getElementById("play").ariaPressed === "true" && !document.getElementById("offer").hidden, null, { polling: "raf" });
@@ -219,6 +219,36 @@ try {
     await settled();
     assert.equal(await errorLine(), "");
     await shoot("snake");
+  });
+
+  await step("a file with an animation of its own gets pictures of the other clips, too", async () => {
+    command("animate", join(data, "biped__robed.obj"), "--motion", "builtin:walk", "-o", "own.glb");
+    await give(fileOf(at("own.glb")));
+    assert.equal(await page.evaluate(() => sinewPage.step), "motion");
+    await page.waitForFunction(() => document.querySelector("#clip-grid [data-clip=run] .picture").style.backgroundImage, null, { timeout: 60000 });
+  });
+
+  // A sample's mesh, its vertices changed.
+  const reshaped = (sample, change) => readFileSync(join(data, `${sample}.obj`), "utf8").replace(/^v (\S+) (\S+) (\S+).*$/gm, (_, ...xyz) => `v ${change(xyz.slice(0, 3).map(Number)).join(" ")}`);
+  const onScreen = () => page.evaluate(() => sinewPage.character.joints.map(({ side, position }) => ({ side, x: sinewPage.view.onScreen(position).x })));
+  const mean = (list) => list.reduce((sum, { x }) => sum + x, 0) / list.length;
+  await step("what faces backwards is looked at from its front, and what is flat not on edge", async () => {
+    await give(made("turned.obj", reshaped("biped__robot", ([x, y, z]) => [-x, y, -z])));
+    const joints = await onScreen();
+    assert.ok(mean(joints.filter(({ side }) => side === 1)) > mean(joints.filter(({ side }) => side === -1)) + 20, "its left is to the right of who looks at it");
+    await give(made("flat.obj", reshaped("quadruped__tailed", ([x, y, z]) => [x * 1e-3, y, z])));
+    const places = (await onScreen()).map(({ x }) => x);
+    assert.ok(Math.max(...places) - Math.min(...places) > 150, `${Math.max(...places) - Math.min(...places)} pixels wide`);
+  });
+
+  await step("what was taken for a bird is said to be, and can be something else", async () => {
+    await give(file("bird__winged.obj"));
+    assert.match((await bar())[0], /^Taken for a bird\. \d+ bones/);
+    await page.click("#offer button:has-text('Not a bird')");
+    assert.deepEqual(await bar(), ["What is it?", ["Person", "Four legs", "Bird", "Other"]]);
+    await page.click("#offer button:has-text('Person')");
+    await settled();
+    assert.doesNotMatch((await bar())[0], /bird/);
   });
 
   await step("by touch the first tap on an answer shows what it changes, the second takes it", async () => {

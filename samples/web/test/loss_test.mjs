@@ -5,18 +5,10 @@
 import assert from "node:assert/strict";
 import { newPage, startPage } from "./page.mjs";
 
-const { server, browser, troubles, page, file, undoName, settled, errorLine, joints, give, downloaded, go, pick, choose, step } = await startPage("loss_");
+const { server, browser, troubles, page, file, undoName, settled, errorLine, joints, leave, give, downloaded, go, pick, choose, step } = await startPage("loss_");
 const saved = async () => (await downloaded("#download")).bytes;
 const same = async (was, event) => {
   assert.ok((await saved()).equals(was), `${event}: another file`);
-};
-const leave = async (which) => {
-  await which.evaluate(() => sinewPage.autosaved());
-  const accept = (dialog) => dialog.accept();
-  which.on("dialog", accept);
-  await which.goto(server.address);
-  which.off("dialog", accept);
-  await which.evaluate(() => sinewPage.settled());
 };
 const key = async (name) => (await page.keyboard.press(name), await settled());
 const type = async (id, value) => {
@@ -26,7 +18,7 @@ const type = async (id, value) => {
 const isAt = (name) => page.evaluate(() => sinewPage.step).then((at) => assert.equal(at, name));
 
 async function reloads(was, name) {
-  await leave(page);
+  await leave();
   await page.locator("#start .kept .go").first().click();
   await settled();
   assert.equal(await errorLine(), "");
@@ -168,7 +160,7 @@ try {
       await secondWindow(was); // last: what it keeps is the newest of the name
     });
   await step("a crash loses no step before it: each is as it was, with what was painted, locked and the file's own skeleton", async () => {
-    await leave(page);
+    await leave();
     await page.evaluate(() => sinewPage.forgetWork());
     await page.goto(server.address);
     await settled();

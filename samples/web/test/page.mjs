@@ -81,6 +81,15 @@ export function pageTools(current, { troubles, work, prefix = "" }) {
       await current().focus("#joints");
       await tools.settled();
     },
+    // To the start page, once the work is kept, past the browser's question.
+    async leave(which = current()) {
+      await which.evaluate(() => sinewPage.autosaved());
+      const accept = (dialog) => dialog.accept();
+      which.on("dialog", accept);
+      await which.goto(new URL("/", which.url()).href);
+      which.off("dialog", accept);
+      await which.evaluate(() => sinewPage.settled());
+    },
     // As a drop of files: {name, mimeType, buffer}.
     async give(...files) {
       await current().setInputFiles("#files", files);

@@ -10,7 +10,7 @@ import { brotliCompressSync, constants, gzipSync } from "node:zlib";
 import { apartGlbs, fileOf, made, newPage, startPage } from "./page.mjs";
 import { strangeFbx } from "./scene_files.mjs";
 
-const { dist, work, data, server, browser, troubles, page, at, command, file, undoName, settled, shoot, errorLine, hash, joints, positions, pick, give, slide, downloaded, go, step } = await startPage("work_");
+const { dist, work, data, server, browser, troubles, page, at, command, file, undoName, settled, shoot, errorLine, hash, joints, leave, positions, pick, give, slide, downloaded, go, step } = await startPage("work_");
 const asked = []; // addresses until the first character walks
 const note = (request) => request.serviceWorker() === null && asked.push(request.url());
 browser.context.on("request", note); // those of workers too
@@ -262,18 +262,10 @@ try {
     await settled();
     return hash();
   };
-  const leave = async (which) => {
-    await which.evaluate(() => sinewPage.autosaved());
-    const accept = (dialog) => dialog.accept();
-    which.on("dialog", accept);
-    await which.goto(server.address);
-    which.off("dialog", accept);
-    await which.evaluate(() => sinewPage.settled());
-  };
   const keptNames = async () => (await page.locator("#start .kept b").allInnerTexts()).map((text) => text.replace(/^Resume /, ""));
   await step("a file that is dropped on unsaved work opens beside it, and both come back", async () => {
     await page.evaluate(() => sinewPage.forgetWork());
-    await leave(page);
+    await leave();
     await give(file("biped__robot.obj"), file("biped__robot.rig.txt"));
     const robot = await switched("head");
     await give(file("quadruped__tailed.obj"), file("quadruped__tailed.rig.txt"));
@@ -282,7 +274,7 @@ try {
     await page.locator("#characters [role=tab]").first().click();
     await settled();
     assert.equal(await hash(), robot);
-    await leave(page);
+    await leave();
     assert.deepEqual((await keptNames()).sort(), ["biped__robot", "quadruped__tailed"]);
     assert.match(await page.locator("#start .kept img").first().getAttribute("src"), /^data:image\/webp;base64,.{200}/);
     await page.locator("#start .kept .go", { hasText: "quadruped" }).click();
@@ -326,14 +318,14 @@ try {
     assert.equal((await second.locator("#start .kept b").allInnerTexts()).filter((text) => text === "Resume biped__robot").length, 2, "the first window's and its own");
     await second.close();
     const was = await hash();
-    await leave(page);
+    await leave();
     assert.equal((await keptNames()).filter((name) => name === "biped__robot").length, 2);
     const hashes = [];
     for (const number of [0, 1]) {
       await page.locator("#start .kept .go", { hasText: "robot" }).nth(number).click();
       await settled();
       hashes.push(await hash());
-      await leave(page);
+      await leave();
     }
     assert.ok(hashes.includes(was), "the first window's work");
     await page.evaluate(() => sinewPage.forgetWork());

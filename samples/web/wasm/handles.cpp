@@ -9,7 +9,9 @@
 #include "capi/handle.hpp"
 #include "characters.hpp"
 #include "sinew_character/pose/character_transform.hpp"
+#include "sinew_character/rig/joint_verdicts.hpp"
 #include "sinew_formats/base/box.hpp"
+#include "sinew_formats/base/point.hpp"
 
 namespace sinew::web {
 
@@ -17,10 +19,18 @@ using Json = nlohmann::json;
 
 namespace {
 
-Json room_json(const Motion& motion, const Clip& clip, const std::vector<Joint>& rest) {
-  std::array<std::array<double, 2>, 3> is, around;
+// What the joints that move something take up: in a clip, in a clip around the middle of all joints, and at rest. Cameras and targets of
+// inverse kinematics, which move nothing, may be far away.
+Json room_json(const Motion& motion, const Clip& clip, const Character& character) {
+  const std::vector<Joint>& rest = character.joints;
+  const std::vector<uint8_t> moves = follows_of(character);
+  std::array<std::array<double, 2>, 3> is, around, at_rest;
   is.fill({1e30, -1e30});
-  around = is;
+  around = at_rest = is;
+  const auto grow = [](std::array<double, 2>& side, double x) { side = {std::min(side[0], x), std::max(side[1], x)}; };
+  const auto counts = [&](size_t j) { return moves.empty() || moves[j] != SINEW_FOLLOWS_NONE; };
+  for (size_t j = 0; j < rest.size(); ++j)
+    for (size_t i = 0; i < 3 && counts(j); ++i) grow(at_rest[i], point(rest[j].position)[i]);
   for (const MotionFrame& frame : clip.frames) {
     const std::vector<Affine> palette = motion_palette(motion, frame, rest.size());
     std::vector<std::array<double, 3>> positions;
@@ -31,13 +41,13 @@ Json room_json(const Motion& motion, const Clip& clip, const std::vector<Joint>&
       positions.push_back({at[0], at[1], at[2]});
       for (size_t i = 0; i < 3; ++i) middle[i] += at[i] / static_cast<double>(rest.size());
     }
-    for (const auto& at : positions)
-      for (size_t i = 0; i < 3; ++i) {
-        is[i] = {std::min(is[i][0], at[i]), std::max(is[i][1], at[i])};
-        around[i] = {std::min(around[i][0], at[i] - middle[i]), std::max(around[i][1], at[i] - middle[i])};
+    for (size_t j = 0; j < rest.size(); ++j)
+      for (size_t i = 0; i < 3 && counts(j); ++i) {
+        grow(is[i], positions[j][i]);
+        grow(around[i], positions[j][i] - middle[i]);
       }
   }
-  return {{"is", is}, {"around", around}};
+  return {{"is", is}, {"around", around}, {"rest", at_rest}};
 }
 
 }  // namespace
@@ -75,7 +85,7 @@ Json clips_json(const sinew_character& moving) {
     list.push_back({{"name", clip.name},
                     {"frames", clip.frames.size()},
                     {"seconds", static_cast<double>(clip.frames.size() - 1) * clip.frame_time},
-                    {"room", room_json(motion, clip, rest)}});
+                    {"room", room_json(motion, clip, moving.character)}});
   return list;
 }
 
