@@ -129,6 +129,7 @@ SINEW_RARE sinew_status find_rig(const Votes& votes, const RigOptions& options, 
   }
   status = grow_tree(pool, joints, count, options.kind, interior, arena, tree);
   if (status != SINEW_OK || arena.measuring()) return status;
+  settle_stubs(tree);
   unfold_tree(options, tree, rig);
   rig->spread = mean_spread(votes);
   return SINEW_OK;

@@ -52,6 +52,10 @@ constexpr uint32_t kMaxSpine = 16;
 // the tree is unchanged.
 void set_spine(FoldedTree* tree, uint32_t joints);
 
+// A clavicle or hip that holds neither a joint nor an end holds the upper arm or thigh that was attached to the torso
+// beside it; where there is none it is removed, because nothing bends there.
+void settle_stubs(FoldedTree* tree);
+
 // Removes toe joints, except a root. A foot that becomes a leaf ends at its heaviest toe; other children of a toe
 // become children of the foot.
 void drop_toes(FoldedTree* tree);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chains of the spine cut and placed anew; toes cut off.
+// Chains of the spine cut and placed anew; stubs settled; toes cut off.
 #include "core/vector_math.hpp"
 #include "rig/tree.hpp"
 
@@ -156,6 +156,35 @@ SINEW_RARE void set_spine(FoldedTree* tree, uint32_t joints) {
     made[i].parent = i == 0 ? numbers[old.below] : static_cast<int16_t>(tree->count - 1);
     tree->nodes[tree->count++] = made[i];
   }
+}
+
+SINEW_RARE void settle_stubs(FoldedTree* tree) {
+  bool gone[kMaxFoldedJoints] = {};
+  for (uint32_t j = 0; j < tree->count; ++j) {
+    const FoldedNode& node = tree->nodes[j];
+    gone[j] =
+        (node.joint_class == kClassClavicle || node.joint_class == kClassHip) && !node.has_end && node.parent >= 0;
+  }
+  for (uint32_t j = 0; j < tree->count; ++j)
+    if (tree->nodes[j].parent >= 0) gone[tree->nodes[j].parent] = false;
+  for (uint32_t j = 0; j < tree->count; ++j) {
+    FoldedNode& node = tree->nodes[j];
+    for (uint32_t k = 0; k < tree->count && gone[j]; ++k) {
+      FoldedNode& next = tree->nodes[k];
+      if (next.joint_class != node.joint_class + 1 || next.parent < 0 || tree->beside(k) != tree->beside(j) ||
+          tree->only(k) != tree->only(j) || next.side != node.side)
+        continue;
+      const FoldedNode& trunk = tree->nodes[next.parent];
+      if (limb_of(trunk.joint_class) != LimbClass::kNone ||
+          square_distance(trunk.at, node.at) > square_distance(trunk.at, next.at))
+        continue;
+      node.parent = next.parent;
+      next.parent = static_cast<int16_t>(j);
+      gone[j] = false;
+    }
+  }
+  int16_t numbers[kMaxFoldedJoints] = {};
+  remove(gone, tree, numbers);
 }
 
 SINEW_RARE void drop_toes(FoldedTree* tree) {

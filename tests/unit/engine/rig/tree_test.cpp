@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "rig_votes.hpp"
 
@@ -313,6 +314,34 @@ TEST(Rig, ToesAndEndsGoWhereTheyAreNotWanted) {
   }
   options.ends = false;
   for (const RigJoint& joint : FoundRig(scene, options).joints) EXPECT_EQ(joint.tip, 0);
+}
+
+TEST(Rig, AClavicleOrAHipThatHoldsNothingHoldsTheLimbBesideItOrGoes) {
+  FoldedTree tree;
+  tree.mirrored = true;
+  const auto add = [&](double x, double y, uint32_t joint_class, int parent) {
+    FoldedNode& node = tree.nodes[tree.count++];
+    node.at = grid_point(x, y, 0);
+    node.joint_class = static_cast<uint8_t>(joint_class);
+    node.parent = static_cast<int16_t>(parent);
+  };
+  add(0, .5, kClassPelvis, -1);
+  add(0, .7, kClassSpine, 0);
+  add(.05, .5, kClassHip, 0);        // of a leg that has another one
+  add(.04, .78, kClassClavicle, 1);  // of the arm
+  add(.12, .79, kClassUpperArm, 1);
+  add(.06, .5, kClassHip, 0);
+  add(.07, .45, kClassThigh, 5);
+  add(.2, .79, kClassClavicle, 1);  // farther out than the arm
+  settle_stubs(&tree);
+  const std::vector<uint8_t> classes = {kClassPelvis,   kClassSpine, kClassClavicle,
+                                        kClassUpperArm, kClassHip,   kClassThigh};
+  const std::vector<int> parents = {-1, 0, 1, 2, 0, 4};
+  ASSERT_EQ(tree.count, classes.size());
+  for (size_t j = 0; j < classes.size(); ++j) {
+    EXPECT_EQ(tree.nodes[j].joint_class, classes[j]) << j;
+    EXPECT_EQ(tree.nodes[j].parent, parents[j]) << j;
+  }
 }
 
 TEST(Rig, AFullBlockIsAStatus) {
