@@ -103,13 +103,15 @@ BodyKind body_kind(const MapRig& rig, const BodyParts& parts) {
   if (rig.joints.size() < kFewestJoints) return kind;
   const StandingLimbs limbs(rig, axis_index(parts.up()));
   const size_t standing = limbs.count(), named = parts.named() ? named_legs(parts) : 0;
-  // Names are those of people and horses as often as not, so many legs that stand say more.
-  const size_t legs = named == 0 || (standing >= kManyLegs && standing > named) ? standing : named;
   const bool wings = parts.has(PartKind::kWing), flat = limbs.is_flat() && !wings;
   if (flat)
     kind.upright = false;
   else if (!wings && parts.named() && parts.lean() && (*parts.lean() > kTrunkStands || *parts.lean() < kTrunkLies))
     kind.upright = *parts.lean() > kTrunkStands;
+  // Names are those of people and horses as often as not, so many legs that stand say more; on an upright body they are the chains of
+  // a skirt.
+  const bool many = standing >= kManyLegs && standing > named && !kind.upright.value_or(false);
+  const size_t legs = named == 0 || many ? standing : named;
   const bool doubtful =
       legs % 2 != 0 || (flat && legs < 4) || (kind.upright.value_or(false) && legs > std::max<size_t>(2, standing));
   if (legs > 0 && !doubtful) kind.legs = legs;

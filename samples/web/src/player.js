@@ -76,12 +76,14 @@ export class MotionPlayer {
     if (!this.#motion) {
       about.textContent = "Choose a clip, or drop a motion file.";
       about.title = "";
+      about.classList.remove("warns");
       return;
     }
     const { file, mapped, how, notes } = this.fileOfClip;
     about.textContent = `${file.replace(/^builtin:/, "")}: moves ${mapped} of ${this.#motion.joints} bones, matched by ${how}.`;
     about.title = [about.textContent, ...notes].join("\n");
     const warnings = /** @type {string[]} */ (notes).filter((note) => note.startsWith("warning: "));
+    about.classList.toggle("warns", warnings.length > 0);
     about.append(...warnings.map((note) => ` ${sentenceOf(note.replace(`${file}: `, ""))}`));
   }
 

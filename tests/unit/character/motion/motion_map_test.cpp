@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "sinew_character/clips/builtin_motion.hpp"
 #include "walking_motion.hpp"
 
@@ -106,6 +108,27 @@ TEST(MapCover, AnotherKindOfBodyIsTold) {
     EXPECT_EQ(cover.warnings[0], "the motion is that of an upright body on 2 legs, the character is a body on 8 legs");
   }
   EXPECT_EQ(cover_of(many_legs("Leg", 4), many_legs("Leg", 3)).kinds_apart, 2u);
+}
+
+TEST(MapCover, ChainsOfALongSkirtAreNoLegs) {
+  const MapRig person = map_rig_of(walking_person());
+  MapRig skirted = person;
+  const auto named = [&](const std::string& name) {
+    return std::find_if(person.joints.begin(), person.joints.end(),
+                        [&](const Joint& joint) { return joint.name.find(name) != std::string::npos; });
+  };
+  const Vec3 hips = named("Hips")->position, foot = named("LeftFoot")->position;
+  for (int k = 0; k < 4; ++k)
+    for (const float side : {1.0f, -1.0f}) {
+      const float z = 0.1f * static_cast<float>(k) - 0.15f;
+      const std::string end = std::to_string(k) + (side > 0 ? "_L" : "_R");
+      const auto above = static_cast<int>(skirted.joints.size());
+      skirted.joints.push_back(
+          {"Skirt" + end, {0.3f * side, hips.y, z}, static_cast<int>(named("Hips") - person.joints.begin())});
+      skirted.joints.push_back({"SkirtEnd" + end, {0.4f * side, foot.y, 3 * z}, above});
+      skirted.ends.insert(skirted.ends.end(), {0, 0});
+    }
+  EXPECT_EQ(cover_of(skirted, person).kinds_apart, 0u);
 }
 
 // By hand, what a map that went wrong would say.
