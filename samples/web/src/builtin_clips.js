@@ -13,10 +13,10 @@ export const hasWings = (joints) => joints.some(({ name }) => wings.test(name));
 // Those that show how such a body gets about, the likeliest first.
 /** @type {(joints: Joint[]) => string[]} */
 export function gaitsOf(joints) {
-  const first = hasWings(joints) ? "strut" : hasLegs(joints) ? "walk" : "swim";
+  const first = !hasLegs(joints) ? "swim" : hasWings(joints) ? "strut" : "walk";
   return [...new Set([first, "walk", "crawl", "swim"])];
 }
 
-// Whether a clip is for the body that it moves, by what was said when it was retargeted.
+// Whether a clip is for the body that it moves, by what was said when it was retargeted. Fish keep their heads still, and birds their wings.
 /** @type {(notes: string[]) => boolean} */
-export const isForThisBody = (notes) => !notes.some((note) => /does not fit|the motion is that of|do(es)? not move/.test(note));
+export const isForThisBody = (notes) => !notes.some((note) => /does not fit|the motion is that of|(torso|legs?|arms?) do(es)? not move/.test(note));

@@ -85,7 +85,7 @@ async function askForRig(wishes) {
 // What markers are for the module.
 const marked = (markers) => ({ at: markers.map(({ joint, place }) => ({ kind: editKinds.at, joint, place })), alike: at.editor.alike });
 
-const kindsAsked = { Person: "1", "Four legs": "2", Bird: "3" }; // of #kind
+const kindsAsked = { Person: "1", "Four legs": "2", Bird: "3", Fish: "4" }; // of #kind
 const longAsSnakes = 4; // times as long as wide and high
 
 // Whether the user is asked what the body is: no legs were found in it, or it is like nothing known.

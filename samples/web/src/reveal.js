@@ -3,7 +3,7 @@
 // says then what was found and leads on. Where the system asks for stillness nothing moves, and only the bar comes.
 import { useStyleAnswers } from "./asking.js";
 import { bind } from "./binding.js";
-import { gaitsOf, hasWings, isForThisBody } from "./builtin_clips.js";
+import { gaitsOf, hasLegs, hasWings, isForThisBody } from "./builtin_clips.js";
 import { colour } from "./colours.js";
 import { angleOf, frontAt, isSeenOnEdge, placementDoubts, quarterOf } from "./dial.js";
 import { askKind, predict } from "./editing.js";
@@ -111,7 +111,7 @@ function askFront() {
 
 function showBones() {
   const { joints, doubtful, source } = at.character, doubts = doubtsOf();
-  const isBird = hasWings(joints) && !source.recipe.wishes?.category; // taken for one
+  const isBird = hasWings(joints) && hasLegs(joints) && !source.recipe.wishes?.category; // taken for one
   const found = `${isBird ? "Taken for a bird. " : ""}${counted(joints.length, "bone")}`;
   const animate = { "Choose animations": () => goTo("motion") };
   const others = { Export: () => goTo("export"), ...(isBird && { "Not a bird": () => askKind("") }) };

@@ -245,7 +245,7 @@ try {
     await give(file("bird__winged.obj"));
     assert.match((await bar())[0], /^Taken for a bird\. \d+ bones/);
     await page.click("#offer button:has-text('Not a bird')");
-    assert.deepEqual(await bar(), ["What is it?", ["Person", "Four legs", "Bird", "Other"]]);
+    assert.deepEqual(await bar(), ["What is it?", ["Person", "Four legs", "Bird", "Fish", "Other"]]);
     await page.click("#offer button:has-text('Person')");
     await settled();
     assert.doesNotMatch((await bar())[0], /bird/);

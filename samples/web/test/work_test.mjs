@@ -157,7 +157,7 @@ try {
     const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => `v ${i & 1 ? 0.5 : -0.5} ${i & 2 ? 0.9 : 0} ${i & 4 ? 0.4 : -0.4}`);
     await give(made("block.obj", [...corners, "f 1 3 4 2", "f 5 6 8 7", "f 1 2 6 5", "f 3 7 8 4", "f 1 5 7 3", "f 2 4 8 6"].join("\n")));
     assert.equal(await page.locator("#offer-said").innerText(), "No legs were found. What is it?");
-    assert.deepEqual(await page.locator("#offer button").allInnerTexts(), ["Person", "Four legs", "Bird", "Other"]);
+    assert.deepEqual(await page.locator("#offer button").allInnerTexts(), ["Person", "Four legs", "Bird", "Fish", "Other"]);
     await page.click("#offer button:has-text('Four legs')");
     await settled();
     assert.deepEqual([await page.locator("#kind").inputValue(), await undoName()], ["2", "new skeleton"]);
