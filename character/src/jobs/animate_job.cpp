@@ -18,6 +18,12 @@
 namespace sinew {
 namespace {
 
+// What programs call a clip that nobody named.
+bool is_unnamed(const std::string& clip) {
+  return clip.empty() || clip.find("mixamo.com") != std::string::npos || clip == "Take 001" || clip == "Unreal Take" ||
+         clip == "Default Take";
+}
+
 std::vector<Clip> chosen_clips(const AnimateOptions& s, const std::string& file, const std::string& name,
                                const Motion& motion) {
   std::vector<Clip> chosen;
@@ -134,16 +140,6 @@ AnimatedCharacter animated_character(Character character, const std::string& pat
                                "so does the output; rotate it with sinew bind FILE --lock all --turn -x -o OUT");
   return out;
 }
-
-namespace {
-
-// What programs call a clip that nobody named.
-bool is_unnamed(const std::string& clip) {
-  return clip.empty() || clip.find("mixamo.com") != std::string::npos || clip == "Take 001" || clip == "Unreal Take" ||
-         clip == "Default Take";
-}
-
-}  // namespace
 
 void name_clips(const std::string& file, bool always, const Motion& made, Motion* motion) {
   bool taken = always || (motion->clips.size() == 1 && is_unnamed(motion->clips.front().name));

@@ -337,7 +337,7 @@ class FoldedTreeBuilder {
       for (uint32_t k = 0; k < tree_.count; ++k)
         left_over = left_over && tree_.nodes[k].parent != static_cast<int16_t>(j);
       int64_t nearest = square(int64_t{kOnBone});
-      uint32_t divided = kNoIndex;  // twice the joint whose bone ends at another's or in it, and 1 for its own end
+      uint32_t divided = kNoIndex;  // twice a joint: the bone to it; and 1: the bone from it to its end
       for (uint32_t i = 0; left_over && i < 2 * tree_.count; ++i) {
         const uint32_t k = i / 2;
         const FoldedNode& other = tree_.nodes[k];
@@ -350,6 +350,7 @@ class FoldedTreeBuilder {
         const Vec3i bone = (at_end ? other.end : other.at) - above.at, way = node.at - above.at;
         const int64_t whole = dot(bone, bone), along = dot(way, bone);
         if (along <= 0 || along >= whole) continue;
+        // Pythagoras, shifted so that the square of what is along fits 64 bits.
         const int64_t off = dot(way, way) - square(along >> 11) / ((whole >> 22) + 1);
         if (off >= nearest) continue;
         nearest = off;

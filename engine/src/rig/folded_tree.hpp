@@ -42,7 +42,8 @@ struct FoldedTree {
 // cost: surprise in the votes, the path through the body (rig/body_ways.hpp), surprise in the two classes. A limb is
 // a chain of its own: joints of paired classes on opposite sides are never connected, nor is an arm or a leg to a
 // tail or an ear, nor an ear on them; what goes on from a joint of a limb that has its next already costs more
-// (rig/limbs.hpp). Ends are modes of the end votes that are tips.
+// (rig/limbs.hpp). Ends are modes of the end votes that are tips. A childless joint without an end that lies on a bone
+// of its limb divides that bone.
 //   joints  in   [count], count >= 1, as from find_folded_joints()
 //   kind         of body: its limbs are arms or legs by where they are (rig/limbs.hpp), and the tree is grown by that
 //   interior     of the mesh, or null: paths are straight then, and nothing is covered. Its distances are overwritten

@@ -20,7 +20,7 @@ import { leftOut, reportClips } from "./report.js";
 import { beginBound, reveal, showFound } from "./reveal.js";
 import { showSteps } from "./rail.js";
 import { sampleFiles } from "./samples.js";
-import { sendPose } from "./showing.js";
+import { frameClip, sendPose } from "./showing.js";
 import { $, at, engine } from "./state.js";
 import { firstStep, goTo, setStep } from "./steps.js";
 import { unzip } from "./zip.js";
@@ -229,7 +229,7 @@ export async function load(source, state = null) {
   setStep(source.step ?? firstStep(at.character, Boolean(at.player.motion)), { view: false });
   showHistory();
   at.lastDone = source;
-  if (at.player.motion?.own) at.view.frameClip(at.player.motion.clips[at.player.clip].room, at.character.upAxis);
+  if (at.player.motion?.own) frameClip();
   await sendPose();
   if (wanted || loaded.picture) return;
   if (at.character.predicted) await showFound();
@@ -266,7 +266,7 @@ async function playMotions(names) {
   await at.motions.add(names);
   setStep("motion");
   await colour();
-  at.view.frameClip(at.player.motion.clips[at.player.clip].room, at.character.upAxis);
+  frameClip();
   await sendPose();
   record(names.length === 1 ? `motion ${names[0]}` : `${names.length} motions`);
 }

@@ -35,7 +35,7 @@ import { Questions } from "./questions.js";
 import { showSteps, steps } from "./rail.js";
 import { walkOn } from "./reveal.js";
 import { samples } from "./samples.js";
-import { choose, nextDoubt, poseChanged, poses, sendPose } from "./showing.js";
+import { choose, frameClip, nextDoubt, poseChanged, poses, sendPose } from "./showing.js";
 import { SkeletonEditor } from "./skeleton.js";
 import { SpringPanel } from "./springs.js";
 import { $, all, at, engine, modes, views } from "./state.js";
@@ -172,7 +172,7 @@ function listenForPoses() {
   at.motions.clips.onTry = tryClip;
   at.motions.clips.onPlay = (clip) => {
     at.player.choose(clip);
-    at.view.frameClip(at.player.motion.clips[clip].room, at.character.upAxis);
+    frameClip();
   };
   at.motions.clips.onRemove = (file) => changeMotion(`remove ${file}`, () => at.motions.remove(file));
   at.motions.methods.onInPlace = (inPlace) => changeMotion(inPlace ? "stay in place" : "travel", () => at.motions.retargetWith({ inPlace }));

@@ -35,6 +35,9 @@ export const poses = new Latest(async () => {
 });
 export const sendPose = () => poses.want();
 
+// All of the clip that plays comes into view.
+export const frameClip = () => at.view.frameClip(at.player.motion.clips[at.player.clip].room, at.character.upAxis);
+
 export function poseChanged() {
   showPose();
   sendPose().catch((/** @type {Error} */ error) => showError(error.message));

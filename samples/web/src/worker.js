@@ -45,11 +45,12 @@ async function decodersFor(needs) {
 }
 /** @param {string} name @param {Uint8Array} bytes */
 async function plainGltf(name, bytes) {
+  let needs = { draco: false, meshopt: false };
   try {
-    return await uncompressed(name, bytes, decodersFor, (beside) => module.FS.readFile(plain(beside)));
+    return await uncompressed(name, bytes, (wanted) => decodersFor((needs = wanted)), (beside) => module.FS.readFile(plain(beside)));
   } catch (error) {
     Object.assign(decoders, { draco: null, meshopt: null }); // the next file asks again
-    throw new Error(`${name}: its geometry is compressed and could not be unpacked (${error?.message || error}). Export it without compression`, { cause: error });
+    throw new Error(`${name}: its geometry is compressed by ${needs.draco ? "Draco" : "meshoptimizer"} and could not be unpacked (${error?.message || error}). Export it without compression`, { cause: error });
   }
 }
 

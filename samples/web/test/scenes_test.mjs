@@ -116,7 +116,7 @@ try {
     const damaged = readFileSync(join(source, "tests/fuzz/corpus/glb/draco.glb"));
     damaged.fill(0, damaged.indexOf("DRACO") + 5, damaged.indexOf("DRACO") + 40);
     await give(made("damaged.glb", damaged));
-    assert.match(await errorLine(), /^damaged\.glb: its geometry is compressed and could not be unpacked \(.+\)\. Export it without compression$/);
+    assert.match(await errorLine(), /^damaged\.glb: its geometry is compressed by Draco and could not be unpacked \(.+\)\. Export it without compression$/);
     await page.keyboard.press("Escape");
   });
 } finally {

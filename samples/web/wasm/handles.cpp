@@ -21,9 +21,9 @@ namespace {
 
 // What the joints that move something take up: in a clip, in a clip around the middle of all joints, and at rest. Cameras and targets of
 // inverse kinematics, which move nothing, may be far away.
-Json room_json(const Motion& motion, const Clip& clip, const Character& character) {
-  const std::vector<Joint>& rest = character.joints;
-  const std::vector<uint8_t> moves = follows_of(character);
+//   moves  [joints] as follows_of() gives it: empty if no weights are known
+Json room_json(const Motion& motion, const Clip& clip, const std::vector<Joint>& rest,
+               const std::vector<uint8_t>& moves) {
   std::array<std::array<double, 2>, 3> is, around, at_rest;
   is.fill({1e30, -1e30});
   around = at_rest = is;
@@ -80,12 +80,13 @@ double put_on_floor(sinew_character* handle, Axis up_axis) {
 Json clips_json(const sinew_character& moving) {
   const std::vector<Joint>& rest = moving.character.joints;
   const Motion motion = motion_of(rest);
+  const std::vector<uint8_t> moves = follows_of(moving.character);
   Json list = Json::array();
   for (const Clip& clip : moving.clips)
     list.push_back({{"name", clip.name},
                     {"frames", clip.frames.size()},
                     {"seconds", static_cast<double>(clip.frames.size() - 1) * clip.frame_time},
-                    {"room", room_json(motion, clip, moving.character)}});
+                    {"room", room_json(motion, clip, rest, moves)}});
   return list;
 }
 
